@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace luxdeck {
+
+/// Runs work(i) for i in 0 .. count-1 on oneTBB. Each i must write only its own outputs; whoever merges
+/// them does so in index order, so that results do not depend on the number of threads.
+void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work);
+
+/// Limits the threads of everything that follows, until destroyed. 0 = all cores.
+class ThreadLimit {
+public:
+    explicit ThreadLimit(int threads);
+    ~ThreadLimit();
+    ThreadLimit(const ThreadLimit&) = delete;
+    ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+private:
+    void* control_ = nullptr;  // tbb::global_control, kept out of this header
+};
+
+/// Threads that parallelFor uses now.
+int threadCount();
+
+}  // namespace luxdeck

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace luxdeck {
+
+/// A value and the half-width of its 95 % interval, in the value's unit. An infinite half-width says
+/// that nothing is known yet.
+struct Interval {
+    double value = 0;
+    double ci95 = 0;
+
+    [[nodiscard]] double low() const { return value - ci95; }
+    [[nodiscard]] double high() const { return value + ci95; }
+    /// Half-width over value; 0 for an exact zero, infinite for an uncertain one.
+    [[nodiscard]] double relative() const;
+};
+
+/// Mean and variance of a stream of values. Source: Welford 1962.
+class MeanVariance {
+public:
+    void add(double x) {
+        ++count_;
+        const double delta = x - mean_;
+        mean_ += delta / static_cast<double>(count_);
+        m2_ += delta * (x - mean_);
+    }
+    [[nodiscard]] std::size_t count() const { return count_; }
+    [[nodiscard]] double mean() const { return mean_; }
+    /// Unbiased variance of one value; 0 for fewer than two.
+    [[nodiscard]] double variance() const { return count_ > 1 ? m2_ / static_cast<double>(count_ - 1) : 0.0; }
+    /// Variance of the mean.
+    [[nodiscard]] double meanVariance() const {
+        return count_ > 0 ? variance() / static_cast<double>(count_) : 0.0;
+    }
+
+private:
+    std::size_t count_ = 0;
+    double mean_ = 0;
+    double m2_ = 0;
+};
+
+/// The two-sided 95 % quantile of Student's t with `degreesOfFreedom` >= 1 (1.96 as it grows).
+double studentT95(double degreesOfFreedom);
+
+/// The mean of independent, equally good replicate means with its 95 % interval (Student's t, R - 1
+/// degrees of freedom).
+///
+/// replicates  #R  means of independently scrambled sample sets, R >= 2
+Interval meanOfReplicates(std::span<const double> replicates);
+
+/// Ēm, Emin and Uo of a grid, each with its own interval.
+struct GridInterval {
+    Interval mean;
+    Interval minimum;
+    Interval uniformity;       // Emin / Ēm [-]
+    std::size_t minimumPoint;  // index of the point that is most likely the darkest
+};
+
+/// Intervals of the statistics of a grid of Monte Carlo estimates. The mean's interval is not that of
+/// its points (their errors are independent and average out), and the smallest of noisy values is
+/// biased low, so the minimum needs its own treatment: see docs/decisions/0003-grid-intervals.md.
+///
+/// replicates  #N x R, row-major  replicate means of every point [lx]; points are independent of each other
+/// seed        of the bootstrap
+/// errors      none; N >= 1, R >= 2 is the caller's duty (asserted)
+/// cost        O(N R B)
+GridInterval gridInterval(std::span<const double> replicates, std::size_t pointCount, std::uint64_t seed);
+
+}  // namespace luxdeck

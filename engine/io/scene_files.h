@@ -1,0 +1,54 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/core/vec.h"
+#include "engine/scene/scene.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace luxdeck {
+
+/// A camera found in a file, in the file's coordinates after `GeometryPlacement`.
+struct SceneCamera {
+    std::string name;
+    Vec3d position, direction, up;
+    double verticalFovDeg = 50;
+};
+
+/// How a file's coordinates become the project's metres, z up.
+struct GeometryPlacement {
+    double metresPerUnit = 1;
+    bool yUp = false;           ///< the file's y is up (glTF always): (x, y, z) -> (x, -z, y)
+    Matrix4d transform;         ///< afterwards, in metres; Imath row vectors
+};
+
+/// What a geometry file holds. Its scene has an origin of its own: readers place vertices in double and
+/// store them relative to chooseOrigin() of their bounds, so that coordinates of 10^6 m lose nothing.
+struct ScenePart {
+    Scene scene;
+    std::vector<SceneCamera> cameras;
+};
+
+/// The re-based origin for a scene of these bounds: zero when they lie near the origin, else their centre,
+/// rounded to whole metres so that the shift is exact.
+Vec3d chooseOrigin(const Box3d& bounds);
+
+/// glTF and GLB. Lights of KHR_lights_punctual (point, spot) and EXT_lights_ies become luminaires;
+/// a directional light is refused by name with a warning (it is not a luminaire).
+///
+/// errors  FileNotFound, Parse, Unsupported; nothing is allocated that the file's size does not justify
+Result<ScenePart> readGltf(const std::filesystem::path& path, const GeometryPlacement& placement);
+
+/// OBJ with its MTL.
+Result<ScenePart> readObj(const std::filesystem::path& path, const GeometryPlacement& placement);
+
+/// Either, by extension.
+Result<ScenePart> readSceneFile(const std::filesystem::path& path, const GeometryPlacement& placement);
+
+/// Appends a part's objects, meshes, materials, textures and luminaires, moving its indices and its origin.
+/// The first part's origin becomes the scene's.
+void append(Scene& scene, ScenePart part);
+
+}  // namespace luxdeck
