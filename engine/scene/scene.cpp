@@ -1,0 +1,167 @@
+#include "engine/scene/scene.h"
+
+#include "engine/core/file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <type_traits>
+
+namespace luxdeck {
+
+std::size_t Scene::triangleCount() const {
+    std::size_t count = 0;
+    for (const auto& mesh : meshes) count += mesh.triangles.size();
+    return count;
+}
+
+Box3 Scene::bounds() const {
+    Box3 box;
+    for (const auto& mesh : meshes)
+        for (const auto& p : mesh.positions) box.extendBy(p);
+    for (const auto& luminaire : luminaires) box.extendBy(luminaire.position);
+    return box;
+}
+
+namespace {
+
+Error invalid(std::string where, std::string message) {
+    return {ErrorCode::InvalidArgument, std::move(message), std::move(where)};
+}
+
+Result<void> checkFraction(const std::string& where, const char* what, const Rgb& c) {
+    if (!isFinite(c) || c.min() < 0.0F || c.max() > 1.0F)
+        return invalid(where, fmt::format("{} is ({}, {}, {}), expected fractions 0..1", what, c.r, c.g, c.b));
+    return {};
+}
+
+Result<void> checkMaterial(const Material& m, std::size_t index, std::size_t textureCount) {
+    const auto where = fmt::format("material {} \"{}\"", index, m.name);
+    for (const auto& [what, colour] : {std::pair{"reflectance", m.reflectance}, std::pair{"specular", m.specular},
+                                       std::pair{"transmittance", m.transmittance}})
+        if (auto ok = checkFraction(where, what, colour); !ok) return ok;
+    for (const auto& [what, value] : {std::pair{"roughness", m.roughness}, std::pair{"metallic", m.metallic}})
+        if (!(value >= 0.0F && value <= 1.0F))
+            return invalid(where, fmt::format("{} is {}, expected 0..1", what, value));
+    if (!(m.ior >= 1.0F && m.ior <= 4.0F)) return invalid(where, fmt::format("ior is {}, expected 1..4", m.ior));
+    if (!isFinite(m.emission) || m.emission.min() < 0.0F)
+        return invalid(where, fmt::format("emission is ({}, {}, {}) cd/m^2, expected finite values >= 0",
+                                          m.emission.r, m.emission.g, m.emission.b));
+    for (const auto* slot : {&m.reflectanceTexture, &m.metallicRoughnessTexture, &m.emissionTexture})
+        if (slot->texture >= static_cast<std::int32_t>(textureCount))
+            return invalid(where, fmt::format("texture {}, expected one below {}", slot->texture, textureCount));
+    return {};
+}
+
+bool isDegenerate(const Mesh& mesh, const std::array<std::uint32_t, 3>& t) {
+    const Vec3d a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
+    return !((b - a).cross(c - a).length2() > 0.0);
+}
+
+Result<void> checkMesh(const Mesh& mesh, std::size_t index, const Scene& scene) {
+    const auto where = fmt::format("mesh {} \"{}\"", index, mesh.name);
+    if (mesh.material >= scene.materials.size())
+        return invalid(where, fmt::format("material {}, expected one below {}", mesh.material, scene.materials.size()));
+    if (mesh.object >= scene.objects.size())
+        return invalid(where, fmt::format("object {}, expected one below {}", mesh.object, scene.objects.size()));
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        if (!isFinite(mesh.positions[i]))
+            return invalid(where, fmt::format("vertex {} is ({}, {}, {}), expected finite coordinates", i,
+                                              mesh.positions[i].x, mesh.positions[i].y, mesh.positions[i].z));
+    const auto count = mesh.positions.size();
+    if ((!mesh.normals.empty() && mesh.normals.size() != count) || (!mesh.uvs.empty() && mesh.uvs.size() != count))
+        return invalid(where, fmt::format("{} normals and {} texture coordinates for {} vertices", mesh.normals.size(),
+                                          mesh.uvs.size(), count));
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (const auto vertex : mesh.triangles[i])
+            if (vertex >= count)
+                return invalid(where, fmt::format("triangle {} names vertex {}, expected one below {}", i, vertex, count));
+    return {};
+}
+
+Result<void> checkLuminaire(const Luminaire& l, std::size_t index, const Scene& scene) {
+    const auto where = fmt::format("luminaire {} \"{}\"", index, l.name);
+    if (l.type >= scene.luminaireTypes.size())
+        return invalid(where, fmt::format("type {}, expected one below {}", l.type, scene.luminaireTypes.size()));
+    if (!isFinite(l.position) || !isFinite(l.frame.tangent) || !isFinite(l.frame.normal))
+        return invalid(where, "position or aim is not finite");
+    if (!std::isfinite(l.outputScale()) || l.outputScale() < 0)
+        return invalid(where, fmt::format("output scale is {}, expected a finite value >= 0", l.outputScale()));
+    return {};
+}
+
+/// Appends the bytes of plain values to what is hashed.
+class HashInput {
+public:
+    template <class T>
+        requires std::is_trivially_copyable_v<T>
+    void add(const T& value) {
+        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    template <class T>
+    void addAll(const std::vector<T>& values) {
+        add(values.size());
+        bytes_ += contentHash({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+    }
+    [[nodiscard]] std::string hash() const { return contentHash(bytes_); }
+
+private:
+    std::string bytes_;
+};
+
+void addSlot(HashInput& in, const TextureSlot& s) {
+    in.add(s.texture), in.add(s.offset), in.add(s.scale), in.add(s.rotation);
+}
+
+void addMaterial(HashInput& in, const Material& m) {
+    in.add(m.kind), in.add(m.reflectance), in.add(m.specular), in.add(m.roughness), in.add(m.metallic);
+    in.add(m.transmittance), in.add(m.ior), in.add(m.emission), in.add(m.oneSidedEmission);
+    for (const auto* slot : {&m.reflectanceTexture, &m.metallicRoughnessTexture, &m.emissionTexture}) addSlot(in, *slot);
+}
+
+}  // namespace
+
+Result<void> validate(Scene& scene) {
+    for (std::size_t i = 0; i < scene.materials.size(); ++i)
+        if (auto ok = checkMaterial(scene.materials[i], i, scene.textures.size()); !ok) return ok;
+    for (std::size_t i = 0; i < scene.luminaires.size(); ++i)
+        if (auto ok = checkLuminaire(scene.luminaires[i], i, scene); !ok) return ok;
+    std::size_t dropped = 0;
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+        auto& mesh = scene.meshes[i];
+        if (auto ok = checkMesh(mesh, i, scene); !ok) return ok;
+        dropped += std::erase_if(mesh.triangles, [&](const auto& t) { return isDegenerate(mesh, t); });
+    }
+    if (dropped > 0)
+        scene.warnings.push_back(fmt::format("{} triangles without area were left out: they reflect and hide nothing", dropped));
+    return {};
+}
+
+std::string sceneHash(const Scene& scene) {
+    HashInput in;
+    in.add(scene.origin);
+    for (const auto& mesh : scene.meshes) {
+        in.addAll(mesh.positions), in.addAll(mesh.normals), in.addAll(mesh.uvs), in.addAll(mesh.triangles);
+        in.add(mesh.material);
+    }
+    for (const auto& m : scene.materials) addMaterial(in, m);
+    for (const auto& t : scene.textures) {
+        in.add(t.width), in.add(t.height), in.add(t.srgb), in.add(t.wrapU), in.add(t.wrapV);
+        in.addAll(t.rgba);
+    }
+    for (const auto& t : scene.luminaireTypes) {
+        const auto& table = t.photometry.table;
+        in.add(table.type()), in.addAll(table.vertical()), in.addAll(table.horizontal()), in.addAll(table.candela());
+        in.add(t.colour), in.add(t.photometry.opening);
+    }
+    for (const auto& l : scene.luminaires) {
+        in.add(l.type), in.add(l.position), in.add(l.frame), in.add(l.outputScale());
+    }
+    in.add(scene.sky.kind), in.add(scene.sky.zenithCdM2), in.add(scene.sky.groundReflectance), in.add(scene.sky.colour);
+    in.add(scene.weights);
+    return in.hash();
+}
+
+}  // namespace luxdeck
