@@ -1,7 +1,10 @@
+list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}/modules")
+
 find_package(Threads REQUIRED)
 find_package(TBB REQUIRED)
 find_package(fmt REQUIRED)
-find_package(Imath REQUIRED)
+# Quiet: Debian's Imath config mentions a Python binding that is not installed with it.
+find_package(Imath QUIET REQUIRED)
 find_package(OpenEXR REQUIRED)
 find_package(PNG REQUIRED)
 find_package(JPEG REQUIRED)
@@ -10,9 +13,8 @@ find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(assimp REQUIRED)
-
-find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
-find_library(XXHASH_LIBRARY xxhash REQUIRED)
+find_package(xxhash REQUIRED)
+set(XXHASH_LIBRARY xxhash::xxhash)
 
 # Debian 12 has Embree 3, Debian 13 has Embree 4: one source serves both (engine/raycast).
 find_package(embree 4 QUIET)
