@@ -95,8 +95,8 @@ Result<void> checkLuminaire(const Luminaire& l, std::size_t index, const Scene& 
 /// Appends the bytes of plain values to what is hashed.
 class HashInput {
 public:
-    template <class T>
-        requires std::is_trivially_copyable_v<T>
+    template <class T>  // Imath's vectors are plain values, though not trivially copyable to the letter
+        requires(std::is_standard_layout_v<T> && std::is_trivially_destructible_v<T>)
     void add(const T& value) {
         bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
     }
