@@ -8,7 +8,12 @@ find_package(Imath QUIET REQUIRED)
 find_package(OpenEXR REQUIRED)
 find_package(PNG REQUIRED)
 find_package(JPEG REQUIRED)
-find_package(OpenColorIO REQUIRED)
+# Debian installs OpenColorIO's CMake files where they compute a wrong prefix ("/include"): find it by hand.
+find_path(OPENCOLORIO_INCLUDE_DIR OpenColorIO/OpenColorIO.h REQUIRED)
+find_library(OPENCOLORIO_LIBRARY OpenColorIO REQUIRED)
+add_library(OpenColorIO::OpenColorIO UNKNOWN IMPORTED)
+set_target_properties(OpenColorIO::OpenColorIO PROPERTIES
+  IMPORTED_LOCATION "${OPENCOLORIO_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${OPENCOLORIO_INCLUDE_DIR}")
 find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
