@@ -1,0 +1,216 @@
+// The only file that names Embree. Version 3 (Debian 12) and 4 (Debian 13) differ in include path, in the
+// query's context and in the user-geometry arguments' names; nothing else.
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#define LUXDECK_EMBREE 4
+#else
+#include <embree3/rtcore.h>
+#define LUXDECK_EMBREE 3
+#endif
+
+#include "engine/raycast/raycaster.h"
+#include "engine/scene/opening.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <vector>
+
+namespace luxdeck {
+
+namespace {
+
+struct DeviceRelease {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct SceneRelease {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using Device = std::unique_ptr<RTCDeviceTy, DeviceRelease>;
+using KernelScene = std::unique_ptr<RTCSceneTy, SceneRelease>;
+
+/// The openings as Embree's user geometry.
+struct Openings {
+    std::vector<PlacedOpening> shapes;       // #O
+    std::vector<std::uint32_t> luminaires;   // #O, index into Scene::luminaires
+};
+
+void openingBounds(const RTCBoundsFunctionArguments* args) {
+    const auto box = static_cast<const Openings*>(args->geometryUserPtr)->shapes[args->primID].bounds();
+    auto& out = *args->bounds_o;
+    out.lower_x = box.min.x, out.lower_y = box.min.y, out.lower_z = box.min.z;
+    out.upper_x = box.max.x, out.upper_y = box.max.y, out.upper_z = box.max.z;
+}
+
+void intersectOpening(const RTCIntersectFunctionNArguments* args) {
+    if (args->valid[0] == 0) return;
+    auto& rayhit = *reinterpret_cast<RTCRayHit*>(args->rayhit);  // only single-ray queries are made: N is 1
+    const auto& ray = rayhit.ray;
+    const auto& shape = static_cast<const Openings*>(args->geometryUserPtr)->shapes[args->primID];
+    const auto met = shape.intersect({ray.org_x, ray.org_y, ray.org_z}, {ray.dir_x, ray.dir_y, ray.dir_z}, ray.tnear, ray.tfar);
+    if (!met) return;
+    rayhit.ray.tfar = met->distance;
+    rayhit.hit.geomID = args->geomID;
+    rayhit.hit.primID = args->primID;
+    rayhit.hit.u = rayhit.hit.v = 0;
+}
+
+void setRay(RTCRay& out, const Ray& ray, Targets targets) {
+    out.org_x = ray.origin.x, out.org_y = ray.origin.y, out.org_z = ray.origin.z;
+    out.dir_x = ray.direction.x, out.dir_y = ray.direction.y, out.dir_z = ray.direction.z;
+    out.tnear = ray.tMin, out.tfar = ray.tMax;
+    out.time = 0, out.id = 0, out.flags = 0;
+    out.mask = static_cast<unsigned>(targets);
+}
+
+void intersect1(RTCScene scene, RTCRayHit& rayhit) {
+    rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+#if LUXDECK_EMBREE == 4
+    rtcIntersect1(scene, &rayhit);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene, &context, &rayhit);
+#endif
+}
+
+bool occluded1(RTCScene scene, RTCRay& ray) {
+#if LUXDECK_EMBREE == 4
+    rtcOccluded1(scene, &ray);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene, &context, &ray);
+#endif
+    return ray.tfar < 0;  // set to -infinity by the kernel
+}
+
+class EmbreeRaycaster final : public Raycaster {
+public:
+    static Result<std::unique_ptr<Raycaster>> make(const Scene& scene) {
+        auto caster = std::make_unique<EmbreeRaycaster>();
+        if (auto ok = caster->build(scene); !ok) return ok.error();
+        return std::unique_ptr<Raycaster>(std::move(caster));
+    }
+
+    void closestHits(std::span<const Ray> rays, std::span<Hit> hits, Targets targets) const override {
+        RTCRayHit rayhit;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            hits[i] = Hit{};
+            if (!isGood(rays[i])) {
+                hits[i].badRay = true;
+                continue;
+            }
+            setRay(rayhit.ray, rays[i], targets);
+            intersect1(scene_.get(), rayhit);
+            if (rayhit.hit.geomID != RTC_INVALID_GEOMETRY_ID) hits[i] = hitOf(rayhit);
+        }
+    }
+
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> out, Targets targets) const override {
+        RTCRay ray;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            if (!isGood(rays[i])) {
+                out[i] = 1;
+                continue;
+            }
+            setRay(ray, rays[i], targets);
+            out[i] = occluded1(scene_.get(), ray) ? 1 : 0;
+        }
+    }
+
+    [[nodiscard]] std::string kernel() const override {
+        const auto version = rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_VERSION);
+        return fmt::format("Embree {}.{}.{}", version / 10000, version / 100 % 100, version % 100);
+    }
+
+    [[nodiscard]] std::size_t bytes() const override {
+        return static_cast<std::size_t>(std::max<std::int64_t>(0, bytes_.load()));
+    }
+
+private:
+    [[nodiscard]] Hit hitOf(const RTCRayHit& rayhit) const {
+        Hit hit;
+        hit.distance = rayhit.ray.tfar;
+        if (rayhit.hit.geomID == openingGeometry_) {
+            hit.luminaire = openings_.luminaires[rayhit.hit.primID];
+        } else {
+            hit.mesh = rayhit.hit.geomID;
+            hit.triangle = rayhit.hit.primID;
+            hit.u = rayhit.hit.u, hit.v = rayhit.hit.v;
+        }
+        return hit;
+    }
+
+    Result<void> build(const Scene& scene) {
+        device_.reset(rtcNewDevice(nullptr));
+        if (!device_) return Error{ErrorCode::OutOfResources, "the ray kernel cannot start"};
+        rtcSetDeviceMemoryMonitorFunction(device_.get(), [](void* self, ssize_t bytes, bool) {
+            static_cast<EmbreeRaycaster*>(self)->bytes_ += bytes;
+            return true;
+        }, this);
+        if (rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_RAY_MASK_SUPPORTED) == 0)
+            return Error{ErrorCode::Unsupported, "this Embree was built without ray masks, which luminous openings and panes need"};
+        scene_.reset(rtcNewScene(device_.get()));
+        rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);  // without it shared edges lose rays
+        for (std::size_t i = 0; i < scene.meshes.size(); ++i) attachMesh(scene, static_cast<unsigned>(i));
+        openingGeometry_ = static_cast<unsigned>(scene.meshes.size());
+        attachOpenings(scene);
+        rtcCommitScene(scene_.get());
+        if (const auto code = rtcGetDeviceError(device_.get()); code != RTC_ERROR_NONE)
+            return Error{code == RTC_ERROR_OUT_OF_MEMORY ? ErrorCode::OutOfResources : ErrorCode::Internal,
+                         fmt::format("the ray kernel failed to build (Embree error {})", static_cast<int>(code))};
+        return {};
+    }
+
+    void attachMesh(const Scene& scene, unsigned index) {
+        const auto& mesh = scene.meshes[index];
+        if (mesh.triangles.empty()) return;
+        RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+        // Positions are copied: the kernel reads 16 bytes at the last one, 4 beyond a shared vector's end.
+        void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3),
+                                                  mesh.positions.size());
+        if (positions != nullptr) std::memcpy(positions, mesh.positions.data(), mesh.positions.size() * sizeof(Vec3));
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
+                                   sizeof(mesh.triangles[0]), mesh.triangles.size());
+        const bool pane = scene.materials[mesh.material].kind == MaterialKind::ThinGlass;
+        rtcSetGeometryMask(geometry, static_cast<unsigned>(pane ? Targets::Panes : Targets::Opaque));
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometryByID(scene_.get(), geometry, index);
+        rtcReleaseGeometry(geometry);
+    }
+
+    void attachOpenings(const Scene& scene) {
+        for (std::size_t i = 0; i < scene.luminaires.size(); ++i) {
+            const auto& l = scene.luminaires[i];
+            const auto placed = PlacedOpening::of(l, scene.luminaireTypes[l.type].photometry.opening);
+            if (placed.shape == OpeningShape::Point || !(l.outputScale() > 0)) continue;
+            openings_.shapes.push_back(placed);
+            openings_.luminaires.push_back(static_cast<std::uint32_t>(i));
+        }
+        if (openings_.shapes.empty()) return;
+        RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
+        rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(openings_.shapes.size()));
+        rtcSetGeometryUserData(geometry, &openings_);
+        rtcSetGeometryBoundsFunction(geometry, openingBounds, nullptr);
+        rtcSetGeometryIntersectFunction(geometry, intersectOpening);
+        rtcSetGeometryMask(geometry, static_cast<unsigned>(Targets::Openings));
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometryByID(scene_.get(), geometry, openingGeometry_);
+        rtcReleaseGeometry(geometry);
+    }
+
+    std::atomic<std::int64_t> bytes_{0};  // first: the device reports to it until it is released
+    Openings openings_;
+    Device device_;
+    KernelScene scene_;
+    unsigned openingGeometry_ = RTC_INVALID_GEOMETRY_ID;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Raycaster>> makeEmbreeRaycaster(const Scene& scene) { return EmbreeRaycaster::make(scene); }
+
+}  // namespace luxdeck

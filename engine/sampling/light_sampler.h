@@ -1,0 +1,106 @@
+#pragma once
+
+#include "engine/core/vec.h"
+#include "engine/sampling/alias_table.h"
+#include "engine/scene/needs.h"
+#include "engine/scene/opening.h"
+#include "engine/scene/scene.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace luxdeck {
+
+/// A direction towards a light, chosen by next-event estimation.
+struct LightSample {
+    Vec3 direction;            // unit, from the point to the light
+    float distance = 0;        // [m]
+    Rgb weight;                // radiance over density; of a point light: intensity / d^2 over probability
+    float pdfSolidAngle = 0;   // density of the direction; 0: a point, which no other strategy can find
+
+    [[nodiscard]] bool lit() const { return !weight.isBlack(); }
+};
+
+/// Where light is asked for. `normal` is zero for a sensor that looks all around.
+struct Receiver {
+    Vec3 position;
+    Vec3 normal{0, 0, 0};
+};
+
+/// Chooses points on luminaires and emitting surfaces. With few luminaires each is weighed at the receiver
+/// by its intensity towards it, 1/d^2 and the cosine; with many they are drawn by flux. The sky is left to
+/// the receivers' own directions.
+class LightSampler {
+public:
+    LightSampler(const Scene& scene, const SceneNeeds& needs);
+
+    [[nodiscard]] bool empty() const { return lights_.empty() && triangles_.empty(); }
+
+    /// uSelect chooses the light, u the point on it.
+    [[nodiscard]] LightSample sample(const Receiver& at, float uSelect, Vec2 u) const;
+
+    /// Radiance that an opening gives into a unit direction leaving it [cd/m^2].
+    [[nodiscard]] Rgb openingRadiance(std::uint32_t luminaire, const Vec3& leaving) const;
+    /// Density with which sample() would have chosen the direction in which a ray met this opening.
+    [[nodiscard]] float pdfOpening(const Receiver& at, std::uint32_t luminaire, const Vec3& direction) const;
+    /// The same for an emitting triangle, `cosine` being that between its normal and the direction.
+    [[nodiscard]] float pdfTriangle(const Receiver& at, std::uint32_t mesh, std::uint32_t triangle, float distance,
+                                    float cosine) const;
+
+private:
+    /// A luminaire as sampling needs it, in one cache-friendly record.
+    struct Light {
+        PlacedOpening opening;
+        const CandelaTable* table;
+        std::uint32_t luminaire;
+        std::uint32_t importanceMap;  // index into maps_
+        float radius;                 // of the opening about its centre [m]
+        float scale;                  // of the table
+        float powerShare;             // of all lights
+        Rgb colour;
+    };
+    struct TriangleLight {
+        std::uint32_t mesh, triangle;
+        float areaM2;
+    };
+    /// Intensity by direction, coarse and quick: octahedral map. It decides only how often a light is asked.
+    struct ImportanceMap {
+        std::vector<float> intensity;  // kMapSide^2
+        [[nodiscard]] float at(const Vec3& localDirection) const;
+    };
+    static constexpr int kMapSide = 32;
+
+    struct Choice {
+        std::uint32_t light;  // lights_.size() = the triangles
+        float probability;
+    };
+
+    void addLuminaires(const Scene& scene);
+    void addTriangles(const Scene& scene);
+    [[nodiscard]] ImportanceMap importanceMap(const CandelaTable& table) const;
+    [[nodiscard]] float importance(const Light& light, const Receiver& at) const;
+    [[nodiscard]] float triangleImportance(const Receiver& at) const;
+    /// Importances of all lights, the triangles last; returns their sum. #L + 1 <= kManyLights + 1
+    float weigh(const Receiver& at, float* importances) const;
+    [[nodiscard]] float mixed(float importance, float sum, float powerShare) const;
+    [[nodiscard]] Choice choose(const Receiver& at, float& u) const;
+    [[nodiscard]] float probability(const Receiver& at, std::uint32_t light) const;
+    [[nodiscard]] LightSample sampleLuminaire(const Light& light, const Receiver& at, Vec2 u) const;
+    [[nodiscard]] LightSample sampleTriangle(const Receiver& at, Vec2 u) const;
+
+    const Scene* scene_;
+    bool manyLights_;
+    std::vector<Light> lights_;
+    std::vector<std::uint32_t> lightOfLuminaire_;  // index into lights_, kNoLight
+    std::vector<ImportanceMap> maps_;
+    AliasTable powers_;                            // of lights_, then the triangles as one
+    std::vector<TriangleLight> triangles_;
+    std::vector<std::vector<std::uint32_t>> triangleIndex_;  // by mesh and triangle: index into triangles_
+    AliasTable trianglePowers_;
+    float trianglesFlux_ = 0;                      // sum of luminance * area [cd]
+    float trianglesPowerShare_ = 0;
+    Vec3 trianglesCentre_;
+    float trianglesRadius_ = 0;
+};
+
+}  // namespace luxdeck
