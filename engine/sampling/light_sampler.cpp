@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace luxdeck {
 
@@ -72,7 +73,9 @@ void LightSampler::addTriangles(const Scene& scene) {
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
             const float area = 0.5F * triangleCross(mesh, t).length();
             triangleIndex_[m].push_back(static_cast<std::uint32_t>(triangles_.size()));
-            triangles_.push_back({static_cast<std::uint32_t>(m), t, area});
+            const auto& [a, b, c] = mesh.triangles[t];
+            triangles_.push_back({static_cast<std::uint32_t>(m), t, area,
+                                  (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0F});
             powers.push_back(double{area} * luminance(material.emission, scene.weights));
             trianglesFlux_ += static_cast<float>(powers.back());
             for (const auto v : mesh.triangles[t]) box.extendBy(mesh.positions[v]);
@@ -180,6 +183,14 @@ LightSample LightSampler::sample(const Receiver& at, float uSelect, Vec2 u) cons
     return sample;
 }
 
+bool LightSampler::shared(const Receiver& at, const Light& light) {
+    return at.glossy || (at.position - light.opening.centre).length2() < 4 * light.radius * light.radius;
+}
+
+bool LightSampler::shared(const Receiver& at, const TriangleLight& light) {
+    return at.glossy || (at.position - light.centroid).length2() < 16 * light.areaM2;
+}
+
 LightSample LightSampler::sampleLuminaire(const Light& light, const Receiver& at, Vec2 u) const {
     const auto point = light.opening.samplePoint(u);
     const Vec3 towards = point.position - at.position;
@@ -198,6 +209,7 @@ LightSample LightSampler::sampleLuminaire(const Light& light, const Receiver& at
     const float emitting = point.twoSided ? std::abs(cosine) : cosine;
     if (!(emitting > 0)) return {};
     const float area = light.opening.areaM2();
+    out.shared = shared(at, light);
     out.pdfSolidAngle = d2 / (emitting * area);
     out.weight = intensity * (1 / (light.opening.projectedAreaM2(local) * out.pdfSolidAngle));
     return out;
@@ -220,6 +232,7 @@ LightSample LightSampler::sampleTriangle(const Receiver& at, Vec2 u) const {
     const float cosine = -dot(triangleCross(mesh, light.triangle), out.direction) / (2 * light.areaM2);
     const float emitting = material.oneSidedEmission ? cosine : std::abs(cosine);
     if (!(emitting > 0)) return {};
+    out.shared = shared(at, light);
     out.pdfSolidAngle = draw.probability * d2 / (emitting * light.areaM2);
     Rgb radiance = material.emission;
     if (material.emissionTexture.used() && !mesh.uvs.empty()) {
@@ -240,6 +253,7 @@ Rgb LightSampler::openingRadiance(std::uint32_t luminaire, const Vec3& leaving) 
 float LightSampler::pdfOpening(const Receiver& at, std::uint32_t luminaire, const Vec3& direction) const {
     const auto index = lightOfLuminaire_[luminaire];
     const auto& light = lights_[index];
+    if (!shared(at, light)) return std::numeric_limits<float>::infinity();
     // A ray through a closed body meets its surface twice; only the near side emits towards the receiver.
     const auto met = light.opening.intersect(at.position, direction, 0, std::numeric_limits<float>::infinity());
     if (!met) return 0;
@@ -253,6 +267,7 @@ float LightSampler::pdfTriangle(const Receiver& at, std::uint32_t mesh, std::uin
                                 float cosine) const {
     if (triangles_.empty() || !(cosine > 0)) return 0;
     const auto index = triangleIndex_[mesh][triangle];
+    if (!shared(at, triangles_[index])) return std::numeric_limits<float>::infinity();
     return probability(at, static_cast<std::uint32_t>(lights_.size())) * trianglePowers_.probability(index) * distance *
            distance / (cosine * triangles_[index].areaM2);
 }

@@ -17,6 +17,7 @@ struct LightSample {
     float distance = 0;        // [m]
     Rgb weight;                // radiance over density; of a point light: intensity / d^2 over probability
     float pdfSolidAngle = 0;   // density of the direction; 0: a point, which no other strategy can find
+    bool shared = false;       // the receiver's own directions look for this light too: weigh the two
 
     [[nodiscard]] bool lit() const { return !weight.isBlack(); }
 };
@@ -25,11 +26,15 @@ struct LightSample {
 struct Receiver {
     Vec3 position;
     Vec3 normal{0, 0, 0};
+    bool glossy = false;       // scatters into narrow lobes, which find lights better than choosing them
 };
 
 /// Chooses points on luminaires and emitting surfaces. With few luminaires each is weighed at the receiver
 /// by its intensity towards it, 1/d^2 and the cosine; with many they are drawn by flux. The sky is left to
 /// the receivers' own directions.
+///
+/// A light that is small as seen from a matte receiver is left to next-event estimation alone: weighing in
+/// directions that rarely meet it would only add noise. Near or glossy, both strategies share it.
 class LightSampler {
 public:
     LightSampler(const Scene& scene, const SceneNeeds& needs);
@@ -41,7 +46,8 @@ public:
 
     /// Radiance that an opening gives into a unit direction leaving it [cd/m^2].
     [[nodiscard]] Rgb openingRadiance(std::uint32_t luminaire, const Vec3& leaving) const;
-    /// Density with which sample() would have chosen the direction in which a ray met this opening.
+    /// Density with which sample() would have chosen the direction in which a ray met this opening;
+    /// infinite when next-event estimation has this light to itself.
     [[nodiscard]] float pdfOpening(const Receiver& at, std::uint32_t luminaire, const Vec3& direction) const;
     /// The same for an emitting triangle, `cosine` being that between its normal and the direction.
     [[nodiscard]] float pdfTriangle(const Receiver& at, std::uint32_t mesh, std::uint32_t triangle, float distance,
@@ -62,6 +68,7 @@ private:
     struct TriangleLight {
         std::uint32_t mesh, triangle;
         float areaM2;
+        Vec3 centroid;
     };
     /// Intensity by direction, coarse and quick: octahedral map. It decides only how often a light is asked.
     struct ImportanceMap {
@@ -85,6 +92,8 @@ private:
     [[nodiscard]] float mixed(float importance, float sum, float powerShare) const;
     [[nodiscard]] Choice choose(const Receiver& at, float& u) const;
     [[nodiscard]] float probability(const Receiver& at, std::uint32_t light) const;
+    [[nodiscard]] static bool shared(const Receiver& at, const Light& light);
+    [[nodiscard]] static bool shared(const Receiver& at, const TriangleLight& light);
     [[nodiscard]] LightSample sampleLuminaire(const Light& light, const Receiver& at, Vec2 u) const;
     [[nodiscard]] LightSample sampleTriangle(const Receiver& at, Vec2 u) const;
 

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/transport/radiance_estimator.h"
+
+namespace luxdeck {
+
+/// Direct light and a constant ambient term; see the card beside this file.
+Result<std::unique_ptr<RadianceEstimator>> makeAmbientEstimator(const TransportScene& scene,
+                                                                const AlgorithmSettings& settings);
+
+}  // namespace luxdeck

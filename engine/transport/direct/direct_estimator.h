@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/transport/radiance_estimator.h"
+
+namespace luxdeck {
+
+/// Light without interreflection; see the card beside this file.
+Result<std::unique_ptr<RadianceEstimator>> makeDirectEstimator(const TransportScene& scene,
+                                                               const AlgorithmSettings& settings);
+
+}  // namespace luxdeck

@@ -1,0 +1,125 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/core/rgb.h"
+#include "engine/core/vec.h"
+#include "engine/raycast/raycaster.h"
+#include "engine/sampling/light_sampler.h"
+#include "engine/sampling/sobol.h"
+#include "engine/scene/needs.h"
+#include "engine/scene/scene.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace luxdeck {
+
+/// One ray to find the radiance along.
+struct RadianceQuery {
+    Ray ray;
+    SamplePath numbers;        // the sample's own; continued along the path
+    /// When the caller also samples lights by next-event estimation at `origin`: the density of this
+    /// direction, so that light seen directly comes back weighted by multiple importance sampling
+    /// (balance heuristic). 0: light that is seen comes back in full.
+    float pdfSolidAngle = 0;   // [1/sr]
+    Receiver origin;           // used when pdfSolidAngle > 0
+};
+
+enum class RayFailure : std::uint8_t { None, BadRay, NotFinite, Negative };
+
+/// The radiance along one ray, in parts, and what the ray met first.
+struct RadianceSample {
+    Rgb emitted;               // from luminaires, sky and emitting surfaces, without any reflection [cd/m^2]
+    Rgb direct;                // after one reflection
+    Rgb indirect;              // after two or more
+    float distance = kInfinity;         // to what was met first, panes and mirrors included [m]
+    float virtualDistance = kInfinity;  // to the first thing that is neither flat mirror nor pane [m]
+    Vec3 normal{0, 0, 0};      // geometric, towards the viewer; zero when nothing was met
+    std::uint32_t object = kNothing;    // index into Scene::objects of what was met first
+    bool backFace = false;     // it was met from behind, as its triangles are wound
+    RayFailure failure = RayFailure::None;  // not None: the radiances are zero and must not be averaged in
+
+    [[nodiscard]] Rgb total() const { return emitted + direct + indirect; }
+};
+
+enum class SensorKind : std::uint8_t { Planar, Cylindrical };
+
+/// One sample of the light that falls on a point.
+struct SensorQuery {
+    Vec3 position;             // [m], re-based
+    Vec3 normal{0, 0, 1};      // unit; of a cylindrical sensor: its axis
+    SensorKind kind = SensorKind::Planar;
+    SamplePath numbers;
+};
+
+struct SensorSample {
+    Rgb direct;                // straight from luminaires and sky, panes in between allowed [lx]
+    Rgb indirect;              // after one reflection or more [lx]
+    bool sawBackFace = false;  // the ray met a triangle from behind: the sensor may be inside a solid
+    RayFailure failure = RayFailure::None;
+
+    [[nodiscard]] Rgb total() const { return direct + indirect; }
+};
+
+/// What a batch cost and what it lost. Sums of integers, and of one float per batch in index order.
+struct TransportCounters {
+    std::uint64_t rays = 0;        // closest-hit and occlusion queries
+    std::uint64_t paths = 0;
+    std::uint64_t rejected = 0;    // samples with a failure
+    std::uint64_t truncated = 0;   // paths that the depth cap ended
+    double truncatedWeight = 0;    // sum of their throughputs: over `paths` a bound on the relative loss
+
+    TransportCounters& operator+=(const TransportCounters& o) {
+        rays += o.rays, paths += o.paths, rejected += o.rejected, truncated += o.truncated;
+        truncatedWeight += o.truncatedWeight;
+        return *this;
+    }
+};
+
+/// Answers the one question of the whole system: how much light. Immutable after creation, safe to call
+/// from any number of threads; the answer to a query depends on the query alone.
+class RadianceEstimator {
+public:
+    virtual ~RadianceEstimator() = default;
+
+    /// samples[i] becomes one estimate for queries[i]; both #Q.
+    virtual TransportCounters radiance(std::span<const RadianceQuery> queries,
+                                       std::span<RadianceSample> samples) const = 0;
+    /// samples[i] becomes one estimate of the illuminance at queries[i]; both #Q.
+    virtual TransportCounters irradiance(std::span<const SensorQuery> queries,
+                                         std::span<SensorSample> samples) const = 0;
+};
+
+/// What every algorithm works on. All must outlive the estimators made from it.
+struct TransportScene {
+    const Scene& scene;
+    const SceneNeeds& needs;
+    const Raycaster& raycaster;
+    const LightSampler& lights;
+};
+
+/// Settings of the algorithms; each reads those that its card names.
+struct AlgorithmSettings {
+    double ambientLux = 0;    // ambient: the constant term [lx], 0 .. 1e6
+    int maxVertices = 20000;  // path: the cap that ends paths Russian roulette leaves alive, 2 .. 10^6
+};
+
+/// A registered algorithm. Registering it enrols it in every analytic, statistical and bench case, in
+/// `--algorithm` and in the documentation.
+struct Algorithm {
+    std::string name;
+    std::string summary;        // one line, for --help and the report
+    bool interreflection;       // claims the exact indirect light of diffuse rooms
+    Result<std::unique_ptr<RadianceEstimator>> (*create)(const TransportScene&, const AlgorithmSettings&);
+};
+
+const std::vector<Algorithm>& algorithms();
+
+/// errors  InvalidArgument: no such algorithm (the message lists them) or a setting out of its range
+Result<std::unique_ptr<RadianceEstimator>> makeEstimator(const std::string& algorithm, const TransportScene& scene,
+                                                         const AlgorithmSettings& settings = {});
+
+}  // namespace luxdeck

@@ -1,0 +1,30 @@
+#include "engine/transport/ambient/ambient_estimator.h"
+#include "engine/transport/direct/direct_estimator.h"
+#include "engine/transport/path/path_estimator.h"
+#include "engine/transport/radiance_estimator.h"
+
+#include <fmt/format.h>
+
+namespace luxdeck {
+
+const std::vector<Algorithm>& algorithms() {
+    static const std::vector<Algorithm> all{
+        {"path", "unbiased path tracing: all interreflection, error by time alone", true, makePathEstimator},
+        {"direct", "light straight from luminaires and sky, no interreflection", false, makeDirectEstimator},
+        {"ambient", "direct light and a constant ambient illuminance (--ambient LX, zero by default)", false,
+         makeAmbientEstimator},
+    };
+    return all;
+}
+
+Result<std::unique_ptr<RadianceEstimator>> makeEstimator(const std::string& algorithm, const TransportScene& scene,
+                                                         const AlgorithmSettings& settings) {
+    std::string known;
+    for (const auto& a : algorithms()) {
+        if (a.name == algorithm) return a.create(scene, settings);
+        known += (known.empty() ? "" : ", ") + a.name;
+    }
+    return Error{ErrorCode::InvalidArgument, fmt::format("no algorithm \"{}\", expected one of: {}", algorithm, known)};
+}
+
+}  // namespace luxdeck

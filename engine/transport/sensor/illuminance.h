@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/transport/radiance_estimator.h"
+#include "engine/transport/tracer/path_batch.h"
+
+#include <span>
+
+namespace luxdeck {
+
+/// Illuminance by one shadow ray to a chosen light and one path from a direction chosen by the sensor's own
+/// weighting (cosine, or sine for a cylinder): direct light is what both see without a reflection, indirect
+/// what the path gathers. Light that both can find is shared by multiple importance sampling.
+///
+/// settings   maxReflections 0: direct alone; else light reflected up to that often
+TransportCounters gatherIlluminance(const TransportScene& scene, const TracerSettings& settings,
+                                    std::span<const SensorQuery> queries, std::span<SensorSample> samples);
+
+}  // namespace luxdeck

@@ -1,0 +1,142 @@
+#include "engine/transport/surface/bsdf.h"
+
+#include "engine/sampling/warp.h"
+#include "engine/transport/surface/glass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace luxdeck {
+
+namespace {
+
+/// Narrower lobes than this lose all digits of D in float.
+constexpr float kMinAlpha = 1e-3F;
+
+Rgb textured(const Scene& scene, const SceneNeeds& needs, const Rgb& value, const TextureSlot& slot, const Vec2& uv) {
+    if (!needs.textures || !slot.used()) return value;
+    return value * scene.textures[static_cast<std::size_t>(slot.texture)].sample(slot.apply(uv));
+}
+
+Rgb mix(const Rgb& a, const Rgb& b, float t) { return a * (1 - t) + b * t; }
+
+}  // namespace
+
+template <Spectrum S>
+Bsdf<S>::Bsdf(const Scene& scene, const SceneNeeds& needs, const SurfacePoint& point) {
+    const Material& m = *point.material;
+    const Rgb reflectance = textured(scene, needs, m.reflectance, m.reflectanceTexture, point.uv);
+    switch (needs.glossy ? m.kind : MaterialKind::Matte) {
+        case MaterialKind::Matte: diffuse_ = fromRgb<S>(reflectance); break;
+        case MaterialKind::Plastic: setRough(fromRgb<S>(reflectance), fromRgb<S>(m.specular), m.roughness); break;
+        case MaterialKind::Metal: setRough(S(0.0F), fromRgb<S>(m.specular), m.roughness); break;
+        case MaterialKind::Mirror: kind_ = Kind::Mirror, f0_ = fromRgb<S>(m.specular); break;
+        case MaterialKind::ThinGlass: kind_ = Kind::Pane, pane_ = &m; break;
+        case MaterialKind::MetallicRoughness: {
+            const Rgb mr = textured(scene, needs, {1, m.roughness, m.metallic}, m.metallicRoughnessTexture, point.uv);
+            setRough(fromRgb<S>(reflectance * (1 - mr.b)), fromRgb<S>(mix(Rgb(0.04F), reflectance, mr.b)), mr.g);
+            break;
+        }
+    }
+}
+
+template <Spectrum S>
+void Bsdf<S>::setRough(S diffuse, S f0, float roughness) {
+    coated_ = true;
+    diffuse_ = diffuse, f0_ = f0;
+    alpha_ = std::max(roughness * roughness, kMinAlpha);
+    const LobeAlbedo mean = meanLobeAlbedo(alpha_);
+    meanEscaped_ = std::max(1 - mean.total(), 1e-6F);
+    const S meanFresnel = f0_ * (20.0F / 21.0F) + S(1.0F / 21.0F);  // of Schlick's over the hemisphere
+    multiple_ = quotient(meanFresnel * meanFresnel * mean.total(), S(1.0F) - meanFresnel * meanEscaped_);
+    meanThrough_ = S(1.0F) - lobeTotal(mean);
+    const float lobe = brightness(lobeTotal(mean)), below = brightness(diffuse_ * meanThrough_);
+    lobeChance_ = below > 0 ? std::clamp(lobe / (lobe + below), 0.1F, 0.9F) : 1.0F;
+    if (brightness(multiple_) * meanEscaped_ > 0.01F) lobeChance_ = std::min(lobeChance_, 0.9F);
+}
+
+template <Spectrum S>
+typename Bsdf<S>::Value Bsdf<S>::evaluate(const Vec3& wo, const Vec3& wi) const {
+    if (kind_ != Kind::Rough || wi.z <= 0 || wo.z <= 0) return {S(0.0F), 0};
+    const float cosinePdf = wi.z / kPi;
+    if (!coated_) return {diffuse_ * cosinePdf, cosinePdf};
+
+    const Ggx ggx{alpha_};
+    const LobeAlbedo eo = lobeAlbedo(wo.z, alpha_), ei = lobeAlbedo(wi.z, alpha_);
+    const float fresnel = schlick(std::clamp(dot(wo, (wo + wi).normalized()), 0.0F, 1.0F));
+    S f = (f0_ * (1 - fresnel) + S(fresnel)) * ggx.lobe(wo, wi);
+    f += multiple_ * ((1 - eo.total()) * (1 - ei.total()) / (kPi * meanEscaped_));
+    if (!diffuse_.isBlack())
+        f += quotient(diffuse_ * (S(1.0F) - lobeTotal(eo)) * (S(1.0F) - lobeTotal(ei)), meanThrough_) * (1 / kPi);
+    return {f * wi.z, lobeChance_ * ggx.pdf(wo, wi) + (1 - lobeChance_) * cosinePdf};
+}
+
+template <Spectrum S>
+typename Bsdf<S>::Sample Bsdf<S>::sample(const Vec3& wo, float uLobe, Vec2 u) const {
+    if (kind_ == Kind::Mirror) return sampleMirror(wo);
+    if (kind_ == Kind::Pane) return samplePane(wo, uLobe);
+    Sample out;
+    if (!coated_) {
+        out.wi = cosineHemisphere(u);
+        out.weight = diffuse_;
+        out.pdf = out.wi.z / kPi;
+        out.absorbed = !(out.pdf > 0);
+        return out;
+    }
+    if (uLobe < lobeChance_) {
+        const Vec3 h = Ggx{alpha_}.sampleVisible(wo, u);
+        out.wi = h * (2 * dot(wo, h)) - wo;
+    } else {
+        out.wi = cosineHemisphere(u);
+    }
+    const auto value = evaluate(wo, out.wi);
+    out.pdf = value.pdf;
+    out.absorbed = !(value.pdf > 0);
+    if (!out.absorbed) out.weight = value.cosineWeighted * (1 / value.pdf);
+    return out;
+}
+
+template <Spectrum S>
+typename Bsdf<S>::Sample Bsdf<S>::sampleMirror(const Vec3& wo) const {
+    Sample out;
+    out.wi = {-wo.x, -wo.y, wo.z};
+    out.weight = f0_;
+    return out;
+}
+
+template <Spectrum S>
+typename Bsdf<S>::Sample Bsdf<S>::samplePane(const Vec3& wo, float uLobe) const {
+    const PaneLight light = paneLight(pane_->transmittance, pane_->ior, wo.z);
+    const S reflected = fromRgb<S>(light.reflected), transmitted = fromRgb<S>(light.transmitted);
+    const float chance = brightness(reflected) / (brightness(reflected) + brightness(transmitted));
+    Sample out;
+    if (uLobe < chance) {
+        out.wi = {-wo.x, -wo.y, wo.z};
+        out.weight = reflected * (1 / chance);
+    } else {
+        out.wi = -wo;
+        out.weight = transmitted * (1 / (1 - chance));
+        out.passedThrough = true;
+    }
+    return out;
+}
+
+template <Spectrum S>
+S Bsdf<S>::albedo(float cosine) const {
+    if (kind_ == Kind::Mirror) return f0_;
+    if (kind_ == Kind::Pane) return fromRgb<S>(paneLight(pane_->transmittance, pane_->ior, cosine).reflected);
+    if (!coated_) return diffuse_;
+    const S lobe = lobeTotal(lobeAlbedo(cosine, alpha_));
+    return lobe + diffuse_ * (S(1.0F) - lobe);
+}
+
+Rgb emittedRadiance(const Scene& scene, const SceneNeeds& needs, const SurfacePoint& point) {
+    const Material& m = *point.material;
+    if (!m.emits() || (m.oneSidedEmission && !point.frontFace)) return Rgb{};
+    return textured(scene, needs, m.emission, m.emissionTexture, point.uv);
+}
+
+template class Bsdf<Rgb>;
+template class Bsdf<Grey>;
+
+}  // namespace luxdeck

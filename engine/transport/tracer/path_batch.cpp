@@ -1,0 +1,280 @@
+#include "engine/transport/tracer/path_batch.h"
+
+#include "engine/transport/surface/bsdf.h"
+#include "engine/transport/surface/surface_point.h"
+#include "engine/transport/tracer/shadow.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace luxdeck {
+
+namespace {
+
+/// Beyond this many vertices even a path between perfect mirrors must be able to end.
+constexpr int kLongPath = 64;
+constexpr float kLongPathSurvival = 0.98F;
+
+bool isFiniteAndPositive(const Rgb& c, RayFailure& failure) {
+    if (!isFinite(c)) failure = RayFailure::NotFinite;
+    else if (c.min() < 0) failure = RayFailure::Negative;
+    return failure == RayFailure::None;
+}
+
+}  // namespace
+
+template <Spectrum S>
+PathBatch<S>::PathBatch(const TransportScene& scene, const TracerSettings& settings,
+                        std::span<const RadianceQuery> queries, std::span<RadianceSample> samples)
+    : scene_(scene), settings_(settings), queries_(queries), samples_(samples), paths_(queries.size()) {
+    for (std::uint32_t i = 0; i < queries.size(); ++i) {
+        samples[i] = RadianceSample{};
+        auto& path = paths_[i];
+        path.ray = queries[i].ray;
+        path.numbers = queries[i].numbers;
+        path.query = i;
+        path.from = queries[i].origin;
+        path.pdfSolidAngle = queries[i].pdfSolidAngle;
+    }
+    rays_.reserve(queries.size()), hits_.reserve(queries.size()), shadows_.reserve(queries.size());
+    shadowRays_.reserve(queries.size()), shadowed_.reserve(queries.size());
+    counters_.paths = queries.size();
+}
+
+template <Spectrum S>
+TransportCounters PathBatch<S>::run() {
+    while (!paths_.empty()) {
+        trace();
+        for (std::size_t i = 0; i < paths_.size(); ++i) shade(i);
+        traceShadows();
+        removeEnded();
+    }
+    return finish();
+}
+
+template <Spectrum S>
+void PathBatch<S>::trace() {
+    rays_.clear();
+    for (const auto& path : paths_) rays_.push_back(path.ray);
+    hits_.resize(paths_.size());
+    const bool openings = scene_.needs.luminaireSurfaces;
+    scene_.raycaster.closestHits(rays_, hits_, openings ? Targets::Everything : Targets::Surfaces);
+    counters_.rays += rays_.size();
+    if (!openings) return;
+    for (std::size_t i = 0; i < paths_.size(); ++i)
+        if (hits_[i].opening()) passOpenings(i);
+}
+
+/// Openings give light and hide nothing: the ray goes on to what lies behind.
+template <Spectrum S>
+void PathBatch<S>::passOpenings(std::size_t i) {
+    Ray ray = rays_[i];
+    while (hits_[i].opening()) {
+        seeOpening(paths_[i], hits_[i]);
+        ray.tMin = std::nextafter(hits_[i].distance, kInfinity);
+        scene_.raycaster.closestHits({&ray, 1}, {&hits_[i], 1}, Targets::Everything);
+        ++counters_.rays;
+    }
+}
+
+template <Spectrum S>
+void PathBatch<S>::shade(std::size_t i) {
+    auto& path = paths_[i];
+    const auto& hit = hits_[i];
+    if (hit.badRay) {
+        samples_[path.query].failure = RayFailure::BadRay;
+        path.ended = true;
+        return;
+    }
+    if (!hit.surface()) {
+        seeSky(path);
+        return;
+    }
+    const auto point = surfacePoint(scene_.scene, scene_.needs, path.ray, hit);
+    if (path.vertices == 0) recordFirst(path, hit, point);
+    seeSurface(path, hit, point);
+    ++path.vertices;
+    if (path.reflections >= settings_.maxReflections) {
+        path.ended = true;
+        return;
+    }
+    const Bsdf<S> bsdf(scene_.scene, scene_.needs, point);
+    recordVirtual(path, hit.distance, bsdf.specular());
+    if (bsdf.specular()) {
+        scatterSpecular(path, point, bsdf);
+    } else {
+        const auto frame = Frame::about(point.shadingNormal);
+        const Vec3 wo = frame.toLocal(-path.ray.direction);
+        path.from = {point.departure(point.geometricNormal), point.shadingNormal,
+                     point.material->kind != MaterialKind::Matte};
+        if (!settings_.ambientRadiance.isBlack())
+            add(path.query, 2, path.throughput * bsdf.albedo(wo.z) * fromRgb<S>(settings_.ambientRadiance));
+        connectLight(path, point, frame, wo, bsdf);
+        scatter(path, point, frame, wo, bsdf);
+    }
+    if (!path.ended) roulette(path);
+}
+
+template <Spectrum S>
+void PathBatch<S>::recordFirst(const Path& path, const Hit& hit, const SurfacePoint& point) {
+    auto& sample = samples_[path.query];
+    sample.distance = hit.distance;
+    sample.normal = point.geometricNormal;
+    sample.object = scene_.scene.meshes[hit.mesh].object;
+    sample.backFace = !point.frontFace;
+}
+
+template <Spectrum S>
+void PathBatch<S>::recordVirtual(Path& path, float distance, bool specular) {
+    if (!path.virtualOpen) return;
+    path.travelled += distance;
+    if (specular) return;
+    samples_[path.query].virtualDistance = path.travelled;
+    path.virtualOpen = false;
+}
+
+template <Spectrum S>
+void PathBatch<S>::seeSky(Path& path) {
+    path.ended = true;
+    if (scene_.needs.sky)  // no other strategy samples it: full weight
+        add(path.query, path.reflections, path.throughput * fromRgb<S>(scene_.scene.sky.radiance(path.ray.direction)));
+}
+
+template <Spectrum S>
+void PathBatch<S>::seeOpening(const Path& path, const Hit& hit) {
+    const auto& luminaire = scene_.scene.luminaires[hit.luminaire];
+    const auto opening = PlacedOpening::of(luminaire, scene_.scene.luminaireTypes[luminaire.type].photometry.opening);
+    const auto met = opening.intersect(path.ray.origin, path.ray.direction, 0, kInfinity);
+    // The far side of a closed body faces away: what it emits there does not come this way.
+    if (!met || (!opening.flat() && (dot(met->normal, path.ray.direction) >= 0 || met->distance < 0.999F * hit.distance)))
+        return;
+    const float pdf = path.pdfSolidAngle > 0
+                          ? scene_.lights.pdfOpening(path.from, hit.luminaire, path.ray.direction)
+                          : 0;
+    const S radiance = fromRgb<S>(scene_.lights.openingRadiance(hit.luminaire, -path.ray.direction));
+    add(path.query, path.reflections, path.throughput * radiance * weightOfDirection(path, pdf));
+}
+
+template <Spectrum S>
+void PathBatch<S>::seeSurface(const Path& path, const Hit& hit, const SurfacePoint& point) {
+    if (!scene_.needs.meshLights) return;
+    const Rgb emitted = emittedRadiance(scene_.scene, scene_.needs, point);
+    if (emitted.isBlack()) return;
+    const float cosine = -dot(point.geometricNormal, path.ray.direction);
+    const float distance = (point.position - path.from.position).length();
+    const float pdf = path.pdfSolidAngle > 0
+                          ? scene_.lights.pdfTriangle(path.from, hit.mesh, hit.triangle, distance, cosine)
+                          : 0;
+    add(path.query, path.reflections, path.throughput * fromRgb<S>(emitted) * weightOfDirection(path, pdf));
+}
+
+template <Spectrum S>
+template <class B>
+void PathBatch<S>::scatterSpecular(Path& path, const SurfacePoint& point, const B& bsdf) {
+    const auto frame = Frame::about(point.shadingNormal);
+    const auto next = bsdf.sample(frame.toLocal(-path.ray.direction), path.numbers.next1D(), {0.5F, 0.5F});
+    const Vec3 direction = next.passedThrough ? path.ray.direction : frame.toWorld(next.wi);
+    const bool leaves = next.passedThrough || dot(direction, point.geometricNormal) > 0;
+    path.throughput *= next.weight;
+    path.ended = !leaves || path.throughput.isBlack();
+    path.ray = {point.departure(direction), 0, direction, kInfinity};
+    if (next.passedThrough) return;  // straight on: next-event estimation saw through the pane as well
+    ++path.reflections;
+    path.pdfSolidAngle = 0;
+}
+
+template <Spectrum S>
+template <class B>
+void PathBatch<S>::connectLight(Path& path, const SurfacePoint& point, const Frame& frame, const Vec3& wo,
+                                const B& bsdf) {
+    const float uSelect = path.numbers.next1D();
+    const auto light = scene_.lights.sample(path.from, uSelect, path.numbers.next2D());
+    if (!light.lit() || dot(light.direction, point.geometricNormal) <= 0) return;
+    const auto value = bsdf.evaluate(wo, frame.toLocal(light.direction));
+    S contribution = path.throughput * value.cosineWeighted * fromRgb<S>(light.weight);
+    if (light.shared) contribution *= light.pdfSolidAngle / (light.pdfSolidAngle + value.pdf);
+    if (contribution.isBlack()) return;
+    shadows_.push_back({contribution, path.query, path.reflections + 1});
+    shadowRays_.push_back({path.from.position, 0, light.direction, light.distance * (1 - kShadowShortening)});
+}
+
+template <Spectrum S>
+template <class B>
+void PathBatch<S>::scatter(Path& path, const SurfacePoint& point, const Frame& frame, const Vec3& wo, const B& bsdf) {
+    const float uLobe = scene_.needs.glossy ? path.numbers.next1D() : 0;
+    const auto next = bsdf.sample(wo, uLobe, path.numbers.next2D());
+    const Vec3 direction = frame.toWorld(next.wi);
+    path.throughput *= next.weight;
+    path.ended = next.absorbed || path.throughput.isBlack() || dot(direction, point.geometricNormal) <= 0;
+    path.ray = {path.from.position, 0, direction, kInfinity};
+    path.pdfSolidAngle = next.pdf;
+    ++path.reflections;
+    const auto& needs = scene_.needs;
+    const bool canSeeLight = needs.sky || needs.meshLights || needs.luminaireSurfaces;
+    if (path.reflections >= settings_.maxReflections && !canSeeLight) path.ended = true;
+}
+
+/// Ends a path with the chance that its throughput has fallen to: what survives counts the more, so that
+/// the mean is exact. The cap is a truncation, and counted as one.
+template <Spectrum S>
+void PathBatch<S>::roulette(Path& path) {
+    if (path.vertices >= settings_.maxVertices) {
+        path.ended = true;
+        ++counters_.truncated;
+        counters_.truncatedWeight += path.throughput.max();
+        return;
+    }
+    float survival = std::min(1.0F, path.throughput.max());
+    if (path.vertices > kLongPath) survival = std::min(survival, kLongPathSurvival);
+    if (survival >= 1) return;
+    if (path.numbers.next1D() >= survival) path.ended = true;
+    else path.throughput *= 1 / survival;
+}
+
+template <Spectrum S>
+void PathBatch<S>::traceShadows() {
+    shadowed_.resize(shadowRays_.size());
+    scene_.raycaster.occluded(shadowRays_, shadowed_, Targets::Opaque);
+    counters_.rays += shadowRays_.size();
+    for (std::size_t i = 0; i < shadows_.size(); ++i) {
+        if (shadowed_[i] != 0) continue;
+        S contribution = shadows_[i].contribution;
+        if (scene_.needs.transmission)
+            contribution *= fromRgb<S>(paneTransmittance(scene_, shadowRays_[i], counters_));
+        add(shadows_[i].query, shadows_[i].reflections, contribution);
+    }
+    shadows_.clear();
+    shadowRays_.clear();
+}
+
+template <Spectrum S>
+void PathBatch<S>::removeEnded() {
+    std::erase_if(paths_, [](const Path& path) { return path.ended; });
+}
+
+template <Spectrum S>
+void PathBatch<S>::add(std::uint32_t query, int reflections, const S& radiance) {
+    auto& sample = samples_[query];
+    (reflections == 0 ? sample.emitted : reflections == 1 ? sample.direct : sample.indirect) += toRgb(radiance);
+}
+
+template <Spectrum S>
+TransportCounters PathBatch<S>::finish() {
+    for (auto& sample : samples_) {
+        const bool good = sample.failure == RayFailure::None && isFiniteAndPositive(sample.emitted, sample.failure) &&
+                          isFiniteAndPositive(sample.direct, sample.failure) &&
+                          isFiniteAndPositive(sample.indirect, sample.failure);
+        if (good) continue;
+        sample.emitted = sample.direct = sample.indirect = Rgb{};
+        ++counters_.rejected;
+    }
+    return counters_;
+}
+
+TransportCounters tracePaths(const TransportScene& scene, const TracerSettings& settings,
+                             std::span<const RadianceQuery> queries, std::span<RadianceSample> samples) {
+    return scene.needs.colour ? PathBatch<Rgb>(scene, settings, queries, samples).run()
+                              : PathBatch<Grey>(scene, settings, queries, samples).run();
+}
+
+}  // namespace luxdeck

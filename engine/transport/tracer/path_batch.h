@@ -1,0 +1,99 @@
+#pragma once
+
+#include "engine/transport/radiance_estimator.h"
+#include "engine/transport/spectrum.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace luxdeck {
+
+struct SurfacePoint;
+
+/// What a tracer follows.
+struct TracerSettings {
+    int maxReflections = 1 << 30;  // light that was reflected more often is left out
+    int maxVertices = 20000;       // the cap on what Russian roulette leaves alive
+    Rgb ambientRadiance{0.0F};     // constant radiance that every rough surface reflects instead of the
+                                   // reflections left out [cd/m^2]
+};
+
+/// A batch of light paths, followed together from where light is asked for towards the lights: trace all
+/// rays, shade all hits, trace all shadow rays, drop what ended, again. One call per batch to the kernel,
+/// nothing allocated inside the loop.
+template <Spectrum S>
+class PathBatch {
+public:
+    PathBatch(const TransportScene& scene, const TracerSettings& settings, std::span<const RadianceQuery> queries,
+              std::span<RadianceSample> samples);
+
+    /// Follows every path to its end and fills the samples.
+    TransportCounters run();
+
+private:
+    /// All there is to one path between two rays.
+    struct Path {
+        Ray ray;
+        SamplePath numbers;
+        S throughput{1.0F};
+        std::uint32_t query = 0;
+        int reflections = 0;       // so far, mirrors included, passages through panes not
+        int vertices = 0;
+        Receiver from;             // where the direction was sampled
+        float pdfSolidAngle = 0;   // of the direction; 0: no other strategy, light counts in full
+        float travelled = 0;       // along specular vertices since the start [m]
+        bool virtualOpen = true;   // only mirrors and panes so far
+        bool ended = false;
+    };
+    struct Shadow {
+        S contribution;
+        std::uint32_t query;
+        int reflections;
+    };
+
+    void trace();
+    void passOpenings(std::size_t i);
+    void shade(std::size_t i);
+    void seeSky(Path& path);
+    void seeOpening(const Path& path, const Hit& hit);
+    void seeSurface(const Path& path, const Hit& hit, const SurfacePoint& point);
+    void recordFirst(const Path& path, const Hit& hit, const SurfacePoint& point);
+    void recordVirtual(Path& path, float distance, bool specular);
+    void roulette(Path& path);
+    void traceShadows();
+    void removeEnded();
+    /// Adds to the part that light with this many reflections belongs to.
+    void add(std::uint32_t query, int reflections, const S& radiance);
+    TransportCounters finish();
+
+    /// The part of light found by the path's own direction, next-event estimation taking the rest.
+    static float weightOfDirection(const Path& path, float lightPdf) {
+        return path.pdfSolidAngle == 0 ? 1.0F : path.pdfSolidAngle / (path.pdfSolidAngle + lightPdf);
+    }
+
+    template <class B>
+    void scatterSpecular(Path& path, const SurfacePoint& point, const B& bsdf);
+    template <class B>
+    void connectLight(Path& path, const SurfacePoint& point, const Frame& frame, const Vec3& wo, const B& bsdf);
+    template <class B>
+    void scatter(Path& path, const SurfacePoint& point, const Frame& frame, const Vec3& wo, const B& bsdf);
+
+    const TransportScene& scene_;
+    TracerSettings settings_;
+    std::span<const RadianceQuery> queries_;
+    std::span<RadianceSample> samples_;
+    std::vector<Path> paths_;
+    std::vector<Ray> rays_;
+    std::vector<Hit> hits_;
+    std::vector<Shadow> shadows_;
+    std::vector<Ray> shadowRays_;
+    std::vector<std::uint8_t> shadowed_;
+    TransportCounters counters_;
+};
+
+/// Follows a batch in the spectrum that the scene needs.
+TransportCounters tracePaths(const TransportScene& scene, const TracerSettings& settings,
+                             std::span<const RadianceQuery> queries, std::span<RadianceSample> samples);
+
+}  // namespace luxdeck

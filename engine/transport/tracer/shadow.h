@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/transport/radiance_estimator.h"
+
+namespace luxdeck {
+
+/// A shadow ray stops this fraction short of the light, so that a light that lies on a surface is not
+/// hidden by it.
+inline constexpr float kShadowShortening = 1e-4F;
+
+/// What the panes between the ends of a ray let through [-]. A pane's two triangles meet on its diagonal,
+/// where the kernel reports both: one pane counts once.
+Rgb paneTransmittance(const TransportScene& scene, Ray ray, TransportCounters& counters);
+
+}  // namespace luxdeck
