@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
-#include <vector>
 
 namespace luxdeck {
 
@@ -62,12 +60,14 @@ struct GridInterval {
 
 /// Intervals of the statistics of a grid of Monte Carlo estimates. The mean's interval is not that of
 /// its points (their errors are independent and average out), and the smallest of noisy values is
-/// biased low, so the minimum needs its own treatment: see docs/decisions/0003-grid-intervals.md.
+/// biased low: `minimum` is corrected for that, so it may lie above the smallest point's value. See
+/// docs/decisions/0003-grid-intervals.md for the derivation and the measured coverage.
 ///
 /// replicates  #N x R, row-major  replicate means of every point [lx]; points are independent of each other
-/// seed        of the bootstrap
+/// returns     no random draws: same replicates, same bits. A mean of 0 has an unknown uniformity.
 /// errors      none; N >= 1, R >= 2 is the caller's duty (asserted)
-/// cost        O(N R B)
-GridInterval gridInterval(std::span<const double> replicates, std::size_t pointCount, std::uint64_t seed);
+/// valid for   covers as stated from R = 16 on; with fewer the points' own errors are too badly known
+/// cost        O(N R), and 64 error functions for each point that may be the darkest
+GridInterval gridInterval(std::span<const double> replicates, std::size_t pointCount);
 
 }  // namespace luxdeck
