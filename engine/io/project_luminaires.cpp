@@ -1,0 +1,208 @@
+#include "engine/io/photometry.h"
+#include "engine/io/project_aim.h"
+#include "engine/io/project_colour.h"
+#include "engine/io/project_keys.h"
+#include "engine/io/project_sections.h"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <utility>
+
+namespace luxdeck::project {
+
+namespace {
+
+constexpr NumberRange kLumens{.low = 0, .high = 1e9, .lowExcluded = true};
+constexpr NumberRange kWatts{.low = 0, .high = 1e9};
+constexpr NumberRange kKelvin{.low = kLowestColourTemperatureK, .high = kHighestColourTemperatureK};
+constexpr NumberRange kMaintenance{.low = 0, .high = 1, .lowExcluded = true};
+constexpr NumberRange kTurn{.low = -3600, .high = 3600};
+
+std::optional<std::size_t> typeIndex(const TomlTable& table, const std::vector<LuminaireTypeSpec>& types) {
+    const auto id = table.text("type");
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < types.size(); ++i) {
+        if (types[i].id == id) return i;
+        known.push_back(types[i].id);
+    }
+    if (!id.empty())
+        table.error(ErrorCode::InvalidArgument, "type",
+                    fmt::format("type {} is no [[luminaire_type]]; {}", inQuotes(id), suggestion(id, known)));
+    return std::nullopt;
+}
+
+void readArray(const TomlTable& table, LuminaireSpec& spec) {
+    const auto array = table.table("array", kArray);
+    if (!array) return;
+    constexpr int kMost = static_cast<int>(kMaxLuminaires);
+    spec.count = array->integers<2>("count", 1, kMost, {1, 1});
+    if (!array->has("count")) array->error(ErrorCode::Parse, "", "count is missing");
+    const auto spacing = array->numbers("spacing", 2, kCoordinate);
+    spec.spacingM = {spacing[0], spacing[1]};
+    for (int i = 0; i < 2; ++i)
+        if (spec.count[i] > 1 && spec.spacingM[i] == 0)
+            array->error(ErrorCode::InvalidArgument, "spacing",
+                         fmt::format("spacing[{}] is 0: {} luminaires would be in one place", i, spec.count[i]));
+}
+
+std::size_t total(const LuminaireSpec& spec) {
+    return static_cast<std::size_t>(spec.count[0]) * static_cast<std::size_t>(spec.count[1]);
+}
+
+void warnOfUnusedTypes(const TomlTable& root, const std::vector<LuminaireTypeSpec>& types,
+                       const std::vector<LuminaireSpec>& luminaires) {
+    std::set<std::size_t> used;
+    for (const auto& luminaire : luminaires) used.insert(luminaire.type);
+    const auto tables = root.tables("luminaire_type", kLuminaireType);
+    for (std::size_t i = 0; i < tables.size(); ++i)
+        if (!used.contains(i)) tables[i].warn("id", fmt::format("no luminaire is of type {}", inQuotes(types[i].id)));
+}
+
+/// Gives out names: "A1", "A2" ... for luminaires that have none, "row-1" ... for arrays that have one.
+class LuminaireNames {
+public:
+    LuminaireNames(const Scene& scene, const ProjectSpec& spec) {
+        for (const auto& luminaire : scene.luminaires) taken_.insert(luminaire.name);
+        for (const auto& luminaire : spec.luminaires)
+            if (total(luminaire) == 1) taken_.insert(luminaire.name);
+    }
+    std::string name(const LuminaireSpec& spec, const std::string& typeId) {
+        if (!spec.name.empty() && total(spec) == 1) return spec.name;
+        const auto stem = spec.name.empty() ? typeId : spec.name + "-";
+        std::string name;
+        do name = fmt::format("{}{}", stem, ++count_[stem]);
+        while (!taken_.insert(name).second);
+        return name;
+    }
+
+private:
+    std::set<std::string> taken_;
+    std::map<std::string, std::size_t> count_;
+};
+
+Luminaire placed(const Scene& scene, const LuminaireSpec& spec, const LuminaireTypeSpec& type, const Vec3d& offset) {
+    Luminaire luminaire;
+    luminaire.position = scene.toRebased(spec.position + offset);
+    luminaire.frame = spec.frame;
+    luminaire.dimming = spec.dimming;
+    luminaire.maintenanceFactor = spec.maintenanceFactor.value_or(type.maintenanceFactor);
+    return luminaire;
+}
+
+/// Luminaires far outside the model are seldom meant: most often the model's unit or axis is wrong.
+void warnOfStrays(Scene& scene, const Box3& model, std::size_t firstPlaced) {
+    if (model.isEmpty() || scene.triangleCount() == 0) return;
+    const Vec3 margin(1.0F + (model.max - model.min).length());
+    const Box3 near(model.min - margin, model.max + margin);
+    std::size_t strays = 0;
+    for (std::size_t i = firstPlaced; i < scene.luminaires.size(); ++i)
+        strays += near.intersects(scene.luminaires[i].position) ? 0 : 1;
+    if (strays > 0)
+        scene.warnings.push_back(fmt::format(
+            "{} luminaires lie far outside the geometry: is its unit or its up axis right?", strays));
+}
+
+}  // namespace
+
+std::vector<LuminaireTypeSpec> readLuminaireTypes(const TomlTable& root, const std::filesystem::path& folder) {
+    std::vector<LuminaireTypeSpec> types;
+    UniqueNames ids;
+    for (const auto& table : root.tables("luminaire_type", kLuminaireType)) {
+        LuminaireTypeSpec type;
+        type.id = table.text("id");
+        ids.add(table, "id", type.id);
+        type.file = readFileReference(table, "file", folder);
+        type.description = table.text("description", "");
+        type.lumens = table.numberIf("lumens", kLumens);
+        type.watts = table.numberIf("watts", kWatts);
+        type.maintenanceFactor = table.number("maintenance_factor", kMaintenance, 1.0);
+        if (const auto kelvin = table.numberIf("colour_temperature_k", kKelvin)) type.colour = daylightColour(*kelvin);
+        types.push_back(std::move(type));
+    }
+    return types;
+}
+
+std::vector<LuminaireSpec> readLuminaires(const TomlTable& root, const std::vector<LuminaireTypeSpec>& types) {
+    std::vector<LuminaireSpec> luminaires;
+    UniqueNames names;
+    std::size_t count = 0;
+    for (const auto& table : root.tables("luminaire", kLuminaire)) {
+        LuminaireSpec spec;
+        spec.where = table.where();
+        spec.type = typeIndex(table, types).value_or(types.size());
+        spec.name = table.text("name", "");
+        if (!spec.name.empty()) names.add(table, "name", spec.name);
+        spec.position = table.vector("position");
+        const auto aim = table.vector("aim", Vec3d(0, 0, -1));
+        const bool aimed = aim.length() > 0;
+        if (!aimed) table.error(ErrorCode::InvalidArgument, "aim", "aim is [0, 0, 0], expected a direction");
+        spec.frame = luminaireFrame(aimed ? aim : Vec3d(0, 0, -1), table.number("rotation_deg", kTurn, 0.0));
+        spec.dimming = table.number("dimming", kFraction, 1.0);
+        spec.maintenanceFactor = table.numberIf("maintenance_factor", kMaintenance);
+        readArray(table, spec);
+        count += total(spec);
+        if (count > kMaxLuminaires) {
+            table.error(ErrorCode::InvalidArgument, "array",
+                        fmt::format("with this there are {} luminaires, expected at most {}", count, kMaxLuminaires));
+            break;
+        }
+        luminaires.push_back(std::move(spec));
+    }
+    warnOfUnusedTypes(root, types, luminaires);
+    return luminaires;
+}
+
+Result<std::vector<LuminaireType>> loadLuminaireTypes(const ProjectSpec& spec) {
+    std::vector<LuminaireType> types;
+    for (const auto& typeSpec : spec.luminaireTypes) {
+        const auto subject = fmt::format("luminaire type {}", inQuotes(typeSpec.id));
+        auto photometry = loadPhotometry(typeSpec.file.path);
+        if (!photometry) return inNamedFile(photometry.error(), subject, typeSpec.file);
+        if (typeSpec.lumens && !(photometry->table.lumens() > 0))
+            return Error{ErrorCode::InvalidArgument,
+                         fmt::format("{}: lumens = {} cannot be had from {}, which emits nothing", subject,
+                                     *typeSpec.lumens, typeSpec.file.shown),
+                         typeSpec.file.where};
+        LuminaireType type;
+        type.id = typeSpec.id;
+        type.description = typeSpec.description;
+        type.file = typeSpec.file.shown;
+        type.colour = typeSpec.colour;
+        type.watts = typeSpec.watts.value_or(photometry->watts);
+        type.photometry = std::move(*photometry);
+        types.push_back(std::move(type));
+    }
+    return types;
+}
+
+Result<void> placeLuminaires(Scene& scene, const ProjectSpec& spec, std::vector<LuminaireType> types) {
+    std::set<std::string> inGeometry;
+    for (const auto& luminaire : scene.luminaires) inGeometry.insert(luminaire.name);
+    const auto model = scene.bounds();
+    const auto firstType = scene.luminaireTypes.size(), firstPlaced = scene.luminaires.size();
+    LuminaireNames names(scene, spec);
+    for (const auto& luminaireSpec : spec.luminaires) {
+        if (!luminaireSpec.name.empty() && inGeometry.contains(luminaireSpec.name))
+            return Error{ErrorCode::InvalidArgument,
+                         fmt::format("luminaire name {} is taken by a light in the geometry", inQuotes(luminaireSpec.name)),
+                         luminaireSpec.where};
+        const auto& typeSpec = spec.luminaireTypes[luminaireSpec.type];
+        const auto& type = types[luminaireSpec.type];
+        const double fluxScale = typeSpec.lumens ? *typeSpec.lumens / type.photometry.table.lumens() : 1.0;
+        for (int j = 0; j < luminaireSpec.count[1]; ++j)
+            for (int i = 0; i < luminaireSpec.count[0]; ++i) {
+                const Vec3d offset(i * luminaireSpec.spacingM[0], j * luminaireSpec.spacingM[1], 0);
+                auto luminaire = placed(scene, luminaireSpec, typeSpec, offset);
+                luminaire.name = names.name(luminaireSpec, typeSpec.id);
+                luminaire.type = static_cast<std::uint32_t>(firstType + luminaireSpec.type);
+                luminaire.fluxScale = fluxScale;
+                scene.luminaires.push_back(std::move(luminaire));
+            }
+    }
+    for (auto& type : types) scene.luminaireTypes.push_back(std::move(type));
+    warnOfStrays(scene, model, firstPlaced);
+    return {};
+}
+
+}  // namespace luxdeck::project

@@ -1,0 +1,129 @@
+#pragma once
+
+#include "engine/io/project.h"
+#include "engine/io/scene_files.h"
+#include "engine/io/toml_reader.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The parts of a project file. Reading goes in two passes: read...() turn tables into the specs below and tell
+/// Diagnostics what is wrong, touching no file but to see that it is there; then load...() and place...() open the
+/// files and build the scene. So a slip in the last line is reported before a large model is read.
+namespace luxdeck::project {
+
+inline constexpr std::size_t kMaxLuminaires = 1'000'000;
+inline constexpr std::size_t kMaxGridPoints = 1'000'000;  ///< of one grid
+
+/// A file that the project names.
+struct FileReference {
+    std::filesystem::path path;  ///< as it is opened
+    std::string shown;           ///< as the project names it
+    std::string where;           ///< file:line that names it
+};
+
+struct GeometrySpec {
+    FileReference file;
+    GeometryPlacement placement;
+};
+
+/// Furniture: an object of the geometry, or a file of its own.
+struct FurnitureSpec {
+    std::string name;                   ///< of the object
+    std::optional<GeometrySpec> file;
+    bool movable = true;
+    std::string where;
+};
+
+struct MaterialSpec {
+    Material material;
+    std::string where;
+};
+
+struct LuminaireTypeSpec {
+    std::string id;
+    std::string description;
+    FileReference file;
+    std::optional<double> lumens;       ///< luminaire flux wanted [lm]
+    std::optional<double> watts;
+    double maintenanceFactor = 1;
+    Rgb colour{1.0F};
+};
+
+struct LuminaireSpec {
+    std::size_t type = 0;               ///< index into the project's types
+    std::string name;                   ///< empty: numbered
+    Vec3d position;                     ///< [m], user coordinates
+    Frame frame;
+    double dimming = 1;
+    std::optional<double> maintenanceFactor;
+    std::array<int, 2> count{1, 1};
+    std::array<double, 2> spacingM{0, 0};
+    std::string where;
+};
+
+/// A requirement and the id that grids name it by.
+struct NamedRequirement {
+    std::string id;
+    Requirement requirement;
+};
+
+/// Everything that the project file says.
+struct ProjectSpec {
+    ProjectInfo info;
+    std::vector<GeometrySpec> geometry;
+    std::vector<FurnitureSpec> furniture;
+    std::vector<MaterialSpec> materials;
+    std::vector<LuminaireTypeSpec> luminaireTypes;
+    std::vector<LuminaireSpec> luminaires;
+    Sky sky;
+    std::vector<CalculationGrid> grids;
+    std::vector<View> views;
+    std::vector<VolumeSpec> volumes;
+    std::vector<HolodeckSection> holodeckSections;
+};
+
+/// Refuses a name that was there before, in file order.
+class UniqueNames {
+public:
+    void add(const TomlTable& table, std::string_view key, const std::string& name);
+
+private:
+    std::map<std::string, std::string> firstWhere_;
+};
+
+/// The file that `key` names, relative to the project's folder; an error, and no path, when it is not there.
+FileReference readFileReference(const TomlTable& table, std::string_view key, const std::filesystem::path& folder);
+
+/// What went wrong in a file that the project names, told from the line that names it:
+/// `project.toml:17: luminaire type "A" -> luminaires/a.ies:12: ...`.
+Error inNamedFile(const Error& error, const std::string& subject, const FileReference& file);
+
+std::vector<GeometrySpec> readGeometry(const TomlTable& root, const std::filesystem::path& folder);
+std::vector<FurnitureSpec> readFurniture(const TomlTable& root, const std::filesystem::path& folder);
+std::vector<MaterialSpec> readMaterials(const TomlTable& root);
+std::vector<LuminaireTypeSpec> readLuminaireTypes(const TomlTable& root, const std::filesystem::path& folder);
+std::vector<LuminaireSpec> readLuminaires(const TomlTable& root, const std::vector<LuminaireTypeSpec>& types);
+Sky readSky(const TomlTable& root);
+std::vector<NamedRequirement> readRequirements(const TomlTable& root, UniqueNames& ids);
+std::vector<CalculationGrid> readGrids(const TomlTable& root, const std::vector<NamedRequirement>& requirements);
+std::vector<View> readViews(const TomlTable& root);
+std::vector<VolumeSpec> readVolumes(const TomlTable& root);
+std::vector<HolodeckSection> readHolodeckSections(const TomlTable& root);
+
+/// Reads the geometry and furniture into the scene and flags what may be moved. Returns the cameras found.
+Result<std::vector<SceneCamera>> loadGeometry(Scene& scene, const ProjectSpec& spec);
+Result<void> replaceMaterials(Scene& scene, const std::vector<MaterialSpec>& materials);
+Result<std::vector<LuminaireType>> loadLuminaireTypes(const ProjectSpec& spec);
+/// Places the luminaires in a scene whose geometry, and so origin, is there.
+Result<void> placeLuminaires(Scene& scene, const ProjectSpec& spec, std::vector<LuminaireType> types);
+
+/// Cameras as views; names are made unique.
+std::vector<View> viewsOf(const std::vector<SceneCamera>& cameras, const std::string& where);
+/// From a corner of the bounds [user coordinates, m], at eye height, towards their middle.
+View cornerView(const Box3d& bounds);
+
+}  // namespace luxdeck::project
