@@ -1,0 +1,116 @@
+#include "analysis/grids/grid_results.h"
+
+#include "analysis/grids/solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace luxdeck {
+
+namespace {
+
+PointResult pointResult(const GridLayout& layout, std::size_t index, const PointSums& sums) {
+    PointResult point;
+    point.position = layout.points[index];
+    point.normal = layout.normals[index];
+    point.samples = sums.samples();
+    if (sums.perReplicate == 0) {
+        point.total.ci95 = point.direct.ci95 = point.indirect.ci95 = std::numeric_limits<double>::infinity();
+        return point;
+    }
+    point.direct = meanOfReplicates(sums.directMeans());
+    point.indirect = meanOfReplicates(sums.indirectMeans());
+    point.total = meanOfReplicates(sums.totalMeans());
+    point.total.value = point.direct.value + point.indirect.value;  // exactly: the parts make the whole
+    point.insideSolid = sums.backFaces * 2 > sums.samples();
+    return point;
+}
+
+/// The strictest limit that any of the requirements sets.
+template <class Member>
+std::optional<double> strictest(const std::vector<Requirement>& requirements, Member member) {
+    std::optional<double> limit;
+    for (const auto& r : requirements)
+        if (r.*member) limit = limit ? std::max(*limit, *(r.*member)) : *(r.*member);
+    return limit;
+}
+
+JudgedInterval judged(const Interval& interval, std::optional<double> required) {
+    return {interval, required, judge(interval, required)};
+}
+
+void addStatistics(GridResult& grid, std::span<const PointSums> sums, std::uint64_t seed) {
+    Interval unknown{0, std::numeric_limits<double>::infinity()};
+    GridInterval statistics{unknown, unknown, unknown, 0};
+    const bool known = std::all_of(sums.begin(), sums.end(), [](const auto& s) { return s.perReplicate > 0; });
+    if (known && !sums.empty()) {
+        std::vector<double> replicates;
+        replicates.reserve(sums.size() * kReplicates);
+        for (const auto& s : sums)
+            for (const double mean : s.totalMeans()) replicates.push_back(mean);
+        statistics = gridInterval(replicates, sums.size(), seed);
+    }
+    grid.mean = judged(statistics.mean, strictest(grid.requirements, &Requirement::meanLux));
+    grid.minimum = judged(statistics.minimum, strictest(grid.requirements, &Requirement::minimumLux));
+    grid.uniformity = judged(statistics.uniformity, strictest(grid.requirements, &Requirement::uniformity));
+    for (const auto& point : grid.points) grid.maximumLux = std::max(grid.maximumLux, point.total.value);
+}
+
+}  // namespace
+
+std::vector<GridResult> gridResults(const Project& project, const std::vector<GridLayout>& layouts,
+                                    const std::vector<PointSums>& sums, std::uint64_t seed) {
+    std::vector<GridResult> results;
+    std::size_t first = 0;
+    for (std::size_t g = 0; g < layouts.size(); ++g) {
+        const auto& layout = layouts[g];
+        const auto& spec = project.grids[g];
+        const auto own = std::span(sums).subspan(first, layout.points.size());
+        first += layout.points.size();
+        GridResult grid;
+        grid.name = spec.name, grid.kind = spec.kind;
+        grid.columns = layout.columns, grid.rows = layout.rows;
+        grid.borderM = spec.borderM;
+        grid.origin = layout.origin, grid.u = layout.u, grid.v = layout.v;
+        if (layout.columns > 0) grid.spacingU = layout.u.length() / layout.columns;
+        if (layout.rows > 0) grid.spacingV = layout.v.length() / layout.rows;
+        grid.requirements = spec.requirements;
+        for (std::size_t i = 0; i < own.size(); ++i) grid.points.push_back(pointResult(layout, i, own[i]));
+        addStatistics(grid, own, streamSeed(seed, g, 0x6712d));
+        results.push_back(std::move(grid));
+    }
+    return results;
+}
+
+double relativeError(const Interval& interval) { return interval.relative(); }
+
+double pointError(const GridResult& grid, const PointResult& point) {
+    const double scale = std::max(point.total.value, kDarkPoint * grid.mean.interval.value);
+    return Interval{scale, point.total.ci95}.relative();
+}
+
+double largestStatisticError(const std::vector<GridResult>& grids) {
+    double largest = 0;
+    for (const auto& grid : grids) {
+        if (grid.columns > 0)
+            for (const auto* s : {&grid.mean, &grid.minimum, &grid.uniformity})
+                largest = std::max(largest, relativeError(s->interval));
+        else
+            for (const auto& point : grid.points) largest = std::max(largest, pointError(grid, point));
+    }
+    return largest;
+}
+
+double rmsPointError(const std::vector<GridResult>& grids) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (const auto& grid : grids)
+        for (const auto& point : grid.points) {
+            const double e = pointError(grid, point);
+            sum += e * e, ++count;
+        }
+    return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
+}
+
+}  // namespace luxdeck

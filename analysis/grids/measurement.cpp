@@ -1,0 +1,97 @@
+#include "analysis/grids/measurement.h"
+
+#include <algorithm>
+
+namespace luxdeck {
+
+void PointSums::add(const PointSums& more) {
+    for (std::size_t r = 0; r < kReplicates; ++r) direct[r] += more.direct[r], indirect[r] += more.indirect[r];
+    for (std::size_t c = 0; c < 3; ++c) rgb[c] += more.rgb[c];
+    perReplicate += more.perReplicate, backFaces += more.backFaces, rejected += more.rejected;
+}
+
+namespace {
+
+std::array<double, kReplicates> over(std::array<double, kReplicates> sums, double n) {
+    for (auto& s : sums) s /= n;
+    return sums;
+}
+
+/// Batches of a size that keeps the tracer's working set in the cache.
+constexpr std::size_t kBatch = 512;
+
+/// One sample of a target, in both forms that estimators answer.
+struct Outcome {
+    Rgb direct, indirect;
+    bool backFace;
+    RayFailure failure;
+};
+
+std::vector<Outcome> ask(const RadianceEstimator& estimator, const Target& target, std::span<const SamplePath> numbers,
+                         TransportCounters& counters) {
+    std::vector<Outcome> outcomes(numbers.size());
+    if (target.radiance) {
+        std::vector<RadianceQuery> queries(numbers.size());
+        std::vector<RadianceSample> samples(numbers.size());
+        for (std::size_t i = 0; i < numbers.size(); ++i) queries[i].ray = target.ray, queries[i].numbers = numbers[i];
+        counters += estimator.radiance(queries, samples);
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            outcomes[i] = {samples[i].emitted + samples[i].direct, samples[i].indirect, samples[i].backFace, samples[i].failure};
+        return outcomes;
+    }
+    std::vector<SensorQuery> queries(numbers.size(), target.sensor);
+    std::vector<SensorSample> samples(numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) queries[i].numbers = numbers[i];
+    counters += estimator.irradiance(queries, samples);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        outcomes[i] = {samples[i].direct, samples[i].indirect, samples[i].sawBackFace, samples[i].failure};
+    return outcomes;
+}
+
+}  // namespace
+
+std::array<double, kReplicates> PointSums::directMeans() const { return over(direct, perReplicate); }
+std::array<double, kReplicates> PointSums::indirectMeans() const { return over(indirect, perReplicate); }
+
+std::array<double, kReplicates> PointSums::totalMeans() const {
+    auto means = directMeans();
+    const auto more = indirectMeans();
+    for (std::size_t r = 0; r < kReplicates; ++r) means[r] += more[r];
+    return means;
+}
+
+Interval PointSums::total() const { return meanOfReplicates(totalMeans()); }
+
+Rgb PointSums::rgbMean() const {
+    const double n = std::max<double>(1, static_cast<double>(samples()));
+    return {static_cast<float>(rgb[0] / n), static_cast<float>(rgb[1] / n), static_cast<float>(rgb[2] / n)};
+}
+
+PointSums measure(const RadianceEstimator& estimator, const LuminanceWeights& weights, const Target& target,
+                  std::uint64_t seed, std::uint32_t first, std::uint32_t count, TransportCounters& counters) {
+    PointSums sums;
+    sums.perReplicate = count;
+    std::vector<SamplePath> numbers;
+    numbers.reserve(kBatch);
+    const std::size_t total = std::size_t{count} * kReplicates;
+    for (std::size_t start = 0; start < total; start += kBatch) {
+        const std::size_t end = std::min(total, start + kBatch);
+        numbers.clear();
+        for (std::size_t i = start; i < end; ++i)
+            numbers.emplace_back(streamSeed(seed, target.stream, i / count), first + static_cast<std::uint32_t>(i % count));
+        const auto outcomes = ask(estimator, target, numbers, counters);
+        for (std::size_t i = start; i < end; ++i) {
+            const auto& o = outcomes[i - start];
+            sums.direct[i / count] += luminance(o.direct, weights);
+            sums.indirect[i / count] += luminance(o.indirect, weights);
+            sums.rgb[0] += o.direct.r + o.indirect.r;
+            sums.rgb[1] += o.direct.g + o.indirect.g;
+            sums.rgb[2] += o.direct.b + o.indirect.b;
+            sums.backFaces += o.backFace ? 1 : 0;
+            sums.rejected += o.failure != RayFailure::None ? 1 : 0;
+        }
+    }
+    return sums;
+}
+
+}  // namespace luxdeck

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "engine/core/statistics.h"
+#include "engine/transport/radiance_estimator.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace luxdeck {
+
+/// Every estimate is the mean of this many independently scrambled sample sets: their spread is its error.
+/// 32 sets put Student's t at 2.04 and the error's own error at 13 %.
+inline constexpr int kReplicates = 32;
+
+/// The samples of one point so far. Sums by replicate, in luminance (illuminance) and, over all, in colour.
+struct PointSums {
+    std::array<double, kReplicates> direct{};
+    std::array<double, kReplicates> indirect{};
+    std::array<double, 3> rgb{};
+    std::uint32_t perReplicate = 0;  // samples of each replicate
+    std::uint64_t backFaces = 0;
+    std::uint64_t rejected = 0;
+
+    void add(const PointSums& more);
+    [[nodiscard]] std::uint64_t samples() const { return std::uint64_t{perReplicate} * kReplicates; }
+    /// Means of every replicate, #R.
+    [[nodiscard]] std::array<double, kReplicates> directMeans() const;
+    [[nodiscard]] std::array<double, kReplicates> indirectMeans() const;
+    [[nodiscard]] std::array<double, kReplicates> totalMeans() const;
+    [[nodiscard]] Interval total() const;
+    [[nodiscard]] Rgb rgbMean() const;
+};
+
+/// Something that is measured at one point by samples: illuminance there, or radiance along a ray.
+struct Target {
+    bool radiance = false;      // false: illuminance at `sensor`
+    SensorQuery sensor;
+    Ray ray;
+    std::uint64_t stream = 0;   // its own random stream: the point's index among all
+};
+
+/// Samples first .. first + count - 1 of every replicate of one target. Depends on nothing else, so any
+/// thread may take any target.
+PointSums measure(const RadianceEstimator& estimator, const LuminanceWeights& weights, const Target& target,
+                  std::uint64_t seed, std::uint32_t first, std::uint32_t count, TransportCounters& counters);
+
+
+}  // namespace luxdeck

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "analysis/grids/measurement.h"
+#include "engine/core/progress.h"
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+namespace luxdeck {
+
+/// A wall clock that starts when it is made.
+class Stopwatch {
+public:
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Spends samples on many targets in parallel, in rounds. What a round adds to one target comes whole or
+/// not at all, so that an interruption leaves every target with a valid estimate; results depend on seed
+/// and rounds alone, not on the number of threads.
+class SamplingRun {
+public:
+    SamplingRun(const RadianceEstimator& estimator, const LuminanceWeights& weights, std::vector<Target> targets,
+                std::uint64_t seed)
+        : estimator_(estimator), weights_(weights), targets_(std::move(targets)), sums_(targets_.size()), seed_(seed) {}
+
+    /// Adds request[i] samples to every replicate of target i (0: none). Stops early when cancelled or at
+    /// the deadline (seconds on the run's clock). Reports after each slice of about a quarter second.
+    ///
+    /// returns  whether the round was finished
+    bool round(const std::vector<std::uint32_t>& request, const Progress& progress, ProgressState& state,
+               std::optional<double> deadline);
+
+    [[nodiscard]] const std::vector<PointSums>& sums() const { return sums_; }
+    [[nodiscard]] const TransportCounters& counters() const { return counters_; }
+    [[nodiscard]] double seconds() const { return clock_.seconds(); }
+    /// Paths a second so far; 0 before the first round.
+    [[nodiscard]] double pathsPerSecond() const;
+
+private:
+    struct Slice {
+        std::size_t first, last;  // targets
+    };
+    void runSlice(const std::vector<std::uint32_t>& request, Slice slice, const Progress& progress,
+                  std::optional<double> deadline);
+
+    const RadianceEstimator& estimator_;
+    LuminanceWeights weights_;
+    std::vector<Target> targets_;
+    std::vector<PointSums> sums_;
+    std::uint64_t seed_;
+    TransportCounters counters_;
+    Stopwatch clock_;
+    double busySeconds_ = 0;
+};
+
+}  // namespace luxdeck

@@ -1,0 +1,202 @@
+#include "analysis/grids/solver.h"
+
+#include "analysis/grids/grid_points.h"
+#include "analysis/grids/grid_results.h"
+#include "analysis/grids/sampling_run.h"
+#include "engine/core/parallel.h"
+#include "engine/core/version.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace luxdeck {
+
+namespace {
+
+constexpr std::uint32_t kPilot = 8;  // first samples of each replicate
+
+/// Aim a little below the target: a point that ends just above it would cost a round more.
+constexpr double kAim = 0.93;
+
+/// The solve of one project: rounds of samples, and after each what it is known to.
+class Solve {
+public:
+    Solve(const Project& project, const LitScene& lit, const SolveSettings& settings, const RadianceEstimator& estimator,
+          std::vector<GridLayout> layouts, const Progress& progress)
+        : project_(project), settings_(settings), layouts_(std::move(layouts)), progress_(progress),
+          run_(estimator, project.scene.weights, targetsOf(project.scene), settings.seed) {
+        state_.stage = "solving";
+        result_.kernel = lit.raycaster().kernel();
+        result_.leftOut = leftOut(lit.needs());
+    }
+
+    SolveResult run() {
+        std::vector<std::uint32_t> request(points_.size(), firstRequest());
+        bool going = true;
+        while (going) {
+            going = run_.round(request, progress_, state_, settings_.timeSeconds);
+            assess();
+            if (result_.trace.size() == 1) predict();
+            if (settings_.samples || reached()) break;
+            request = nextRequest();
+        }
+        finish();
+        return std::move(result_);
+    }
+
+private:
+    /// A point of a grid, in the order of all grids' points.
+    struct Point {
+        std::size_t grid, index;
+    };
+
+    std::vector<Target> targetsOf(const Scene& scene) {
+        std::vector<Target> targets;
+        for (std::size_t g = 0; g < layouts_.size(); ++g)
+            for (std::size_t i = 0; i < layouts_[g].points.size(); ++i) {
+                Target target;
+                target.sensor.position = scene.toRebased(layouts_[g].points[i]);
+                target.sensor.normal = Vec3(layouts_[g].normals[i]);
+                target.sensor.kind = project_.grids[g].kind == GridKind::Cylindrical ? SensorKind::Cylindrical : SensorKind::Planar;
+                target.stream = points_.size();
+                targets.push_back(target);
+                points_.push_back({g, i});
+            }
+        return targets;
+    }
+
+    [[nodiscard]] std::uint32_t firstRequest() const {
+        return settings_.samples ? std::max(1U, (*settings_.samples + kReplicates - 1) / kReplicates) : kPilot;
+    }
+
+    /// Turns the sums into results and enters the error into the trace.
+    void assess() {
+        result_.grids = gridResults(project_, layouts_, run_.sums(), settings_.seed);
+        ErrorAtTime entry{run_.seconds(), largestStatisticError(result_.grids), rmsPointError(result_.grids),
+                          run_.counters().paths};
+        state_.errorPercent = 100 * std::max(entry.relativeError, entry.rmsPointError);
+        result_.trace.push_back(entry);
+    }
+
+    [[nodiscard]] bool reached() const {
+        if (!(settings_.targetError > 0)) return false;
+        if (largestStatisticError(result_.grids) > settings_.targetError) return false;
+        for (const auto& grid : result_.grids)
+            for (const auto& point : grid.points)
+                if (pointError(grid, point) > settings_.targetError) return false;
+        return true;
+    }
+
+    /// The error a point must come to for its grid to reach the target: tighter for the darkest ones while
+    /// Emin or Uo still miss it.
+    [[nodiscard]] double aimOf(const GridResult& grid, const PointResult& point) const {
+        double aim = kAim * settings_.targetError;
+        const double statistic = std::max(relativeError(grid.minimum.interval), relativeError(grid.uniformity.interval));
+        const bool darkest = point.total.low() <= grid.minimum.interval.high();
+        if (darkest && statistic > settings_.targetError) aim = std::min(aim, pointError(grid, point) * aim / statistic);
+        return aim;
+    }
+
+    /// Samples for each replicate that bring the point to its aim, by the square-root law.
+    [[nodiscard]] double needed(const Point& p) const {
+        const auto& grid = result_.grids[p.grid];
+        const auto& point = grid.points[p.index];
+        const double have = static_cast<double>(point.samples) / kReplicates;
+        if (have == 0) return kPilot;
+        if (!(settings_.targetError > 0)) return std::numeric_limits<double>::infinity();
+        const double ratio = pointError(grid, point) / aimOf(grid, point);
+        return ratio <= 1 ? have : have * ratio * ratio;
+    }
+
+    [[nodiscard]] std::vector<std::uint32_t> nextRequest() const {
+        std::vector<std::uint32_t> request(points_.size(), 0);
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const double have = run_.sums()[i].perReplicate;
+            const double more = std::min(needed(points_[i]) - have, std::max(have, double{kPilot}));
+            // Whole eights keep the tail of a stratified set small.
+            request[i] = more > 0 ? static_cast<std::uint32_t>(std::ceil(more / 8) * 8) : 0;
+        }
+        return request;
+    }
+
+    /// How long it will take, told once the first samples have shown the noise.
+    void predict() {
+        if (!(settings_.targetError > 0) || settings_.samples) return;
+        double paths = 0;
+        for (std::size_t i = 0; i < points_.size(); ++i)
+            paths += kReplicates * std::max(0.0, needed(points_[i]) - run_.sums()[i].perReplicate);
+        result_.predictedSeconds = run_.seconds() + paths / std::max(run_.pathsPerSecond(), 1.0);
+        state_.secondsLeft = result_.predictedSeconds - run_.seconds();
+        progress_.report(state_);
+    }
+
+    void finish() {
+        const auto& counters = run_.counters();
+        auto& r = result_;
+        r.project = project_.info.name;
+        r.complete = !progress_.cancelled() && (!settings_.samples || allSampled());
+        r.targetError = settings_.samples ? 0 : settings_.targetError;
+        r.targetReached = !(r.targetError > 0) || reached();
+        r.seconds = run_.seconds();
+        r.samples = counters.paths, r.rays = counters.rays;
+        r.algorithm = settings_.algorithm;
+        r.ambientLux = settings_.algorithm == "ambient" ? settings_.algorithmSettings.ambientLux : 0;
+        r.seed = settings_.seed, r.threads = threadCount();
+        r.truncatedFraction = counters.paths > 0 ? counters.truncatedWeight / static_cast<double>(counters.paths) : 0;
+        r.rejectedSamples = counters.rejected;
+        r.sceneHash = project_.scene.hash, r.projectHash = project_.fileHash;
+        r.version = kVersion;
+        r.warnings = project_.scene.warnings;
+        addWarnings(r);
+    }
+
+    [[nodiscard]] bool allSampled() const {
+        return std::all_of(run_.sums().begin(), run_.sums().end(), [](const auto& s) { return s.perReplicate > 0; });
+    }
+
+    static void addWarnings(SolveResult& r) {
+        if (r.rejectedSamples > 0)
+            r.warnings.push_back(fmt::format("{} of {} samples were not finite or negative and were left out",
+                                             r.rejectedSamples, r.samples));
+        for (const auto& grid : r.grids) {
+            std::size_t inside = 0;
+            for (const auto& point : grid.points) inside += point.insideSolid ? 1 : 0;
+            if (inside > 0 && inside < grid.points.size())
+                r.warnings.push_back(fmt::format("grid \"{}\": {} of {} points see mostly the backs of surfaces: they may lie inside a solid",
+                                                 grid.name, inside, grid.points.size()));
+        }
+    }
+
+    const Project& project_;
+    SolveSettings settings_;
+    std::vector<GridLayout> layouts_;
+    const Progress& progress_;
+    std::vector<Point> points_;  // before run_, which fills it
+    SamplingRun run_;
+    ProgressState state_;
+    SolveResult result_;
+};
+
+}  // namespace
+
+Result<SolveResult> solve(const Project& project, const LitScene& lit, const SolveSettings& settings,
+                          const Progress& progress) {
+    auto estimator = makeEstimator(settings.algorithm, lit.transport(), settings.algorithmSettings);
+    if (!estimator) return estimator.error();
+    std::vector<GridLayout> layouts;
+    for (const auto& grid : project.grids) {
+        auto layout = layOut(grid);
+        if (!layout) return layout.error();
+        layouts.push_back(*std::move(layout));
+    }
+    if (layouts.empty())
+        return Error{ErrorCode::InvalidArgument, "has no calculation grid: add a [[grid]] (docs/project-format.md)", project.file.string()};
+    if (!(settings.targetError > 0) && !settings.timeSeconds && !settings.samples)
+        return Error{ErrorCode::InvalidArgument, "neither a target error nor a time: solving would never end"};
+    return Solve(project, lit, settings, **estimator, std::move(layouts), progress).run();
+}
+
+}  // namespace luxdeck
