@@ -19,7 +19,16 @@ enum class PhotometrySymmetry { None, Axial, Bilateral0to180, Bilateral90to270, 
 /// Luminous intensity by direction: bilinear in the file's own two angles, zero outside their range.
 ///
 /// Local frame of a luminaire: it hangs with its nadir (C: vertical angle 0; A, B: direction 0, 0)
-/// along -z, the plane C = 0 towards +x and C = 90 towards +y.
+/// along -z, the plane C = 0 towards +x and C = 90 towards +y. Unit direction d of the angles (V, H):
+///
+///     C: d = ( sin V cos H,  sin V sin H, -cos V)      solid angle  sin V dV dH
+///     B: d = ( cos H sin V, -sin H, -cos H cos V)      solid angle  cos H dH dV  (H: true latitude)
+///     A: d = ( sin V, -cos V sin H, -cos V cos H)      solid angle  cos V dV dH  (V: true latitude)
+///
+/// A and B aim along a = -z with their "up" along u = +x, so a viewer behind the luminaire has his right
+/// hand along a x u = -y, towards which H grows (clockwise seen from above, as LM-63 has it; C turns the
+/// other way). Radiance's source.cal sets B up the same way, but its H is no true latitude off axis.
+/// Constant after create(): safe to share between threads.
 class CandelaTable {
 public:
     CandelaTable() = default;
@@ -46,10 +55,23 @@ public:
     [[nodiscard]] const std::vector<double>& candela() const { return candela_; }
 
 private:
+    /// One angular axis as the inner loop wants it.
+    struct Axis {
+        std::vector<float> degrees;
+        float inverseStep = 0;  ///< 1/step [1/degree] where equidistant, else 0
+    };
+
+    [[nodiscard]] float interpolate(float verticalDegrees, float horizontalDegrees) const;
+    void prepareLookup();
+    void integrate();
+
     PhotometryType type_ = PhotometryType::C;
     std::vector<double> vertical_;
     std::vector<double> horizontal_;
     std::vector<double> candela_;
+    Axis verticalAxis_;
+    Axis horizontalAxis_;
+    std::vector<float> cells_;  ///< candela_ as the inner loop reads it, vertical fastest [cd]
     double lumens_ = 0;
     double lumensDown_ = 0;
     float maxIntensity_ = 0;
