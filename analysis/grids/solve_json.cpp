@@ -1,0 +1,66 @@
+#include "analysis/grids/solve_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace luxdeck {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+Json statistic(const JudgedInterval& s) {
+    Json out{{"value", number(s.interval.value)}, {"ci95", number(s.interval.ci95)}};
+    out["required"] = s.required ? Json(*s.required) : Json(nullptr);
+    out["verdict"] = s.verdict == Verdict::None ? Json(nullptr) : Json(verdictText(s.verdict));
+    return out;
+}
+
+Json point(const PointResult& p) {
+    return {{"x", p.position.x}, {"y", p.position.y}, {"z", p.position.z},
+            {"nx", p.normal.x}, {"ny", p.normal.y}, {"nz", p.normal.z},
+            {"lx", number(p.total.value)}, {"ci95", number(p.total.ci95)},
+            {"direct", number(p.direct.value)}, {"directCi95", number(p.direct.ci95)},
+            {"indirect", number(p.indirect.value)}, {"indirectCi95", number(p.indirect.ci95)},
+            {"samples", p.samples}};
+}
+
+Json grid(const GridResult& g) {
+    Json out{{"name", g.name}, {"kind", g.kind == GridKind::Planar ? "planar" : "cylindrical"},
+             {"columns", g.columns}, {"rows", g.rows}, {"spacing", {g.spacingU, g.spacingV}}, {"border", g.borderM}};
+    out["mean"] = statistic(g.mean), out["min"] = statistic(g.minimum), out["uniformity"] = statistic(g.uniformity);
+    out["max"] = number(g.maximumLux);
+    for (const auto& r : g.requirements) out["requirements"].push_back({{"name", r.name}, {"source", r.source}});
+    out["points"] = Json::array();
+    for (const auto& p : g.points) out["points"].push_back(point(p));
+    return out;
+}
+
+}  // namespace
+
+std::string solveJson(const SolveResult& r) {
+    Json out{{"schema", "luxdeck-solve/1"}, {"project", r.project}, {"complete", r.complete},
+             {"seconds", r.seconds}, {"setupSeconds", r.setupSeconds}, {"predictedSeconds", r.predictedSeconds},
+             {"samples", r.samples}, {"rays", r.rays}, {"algorithm", r.algorithm}, {"ambientLux", r.ambientLux},
+             {"seed", r.seed}, {"threads", r.threads},
+             {"targetError", r.targetError > 0 ? Json(r.targetError) : Json(nullptr)}, {"targetReached", r.targetReached}};
+    out["grids"] = Json::array();
+    for (const auto& g : r.grids) out["grids"].push_back(grid(g));
+    out["trace"] = Json::array();
+    for (const auto& t : r.trace)
+        out["trace"].push_back({{"seconds", t.seconds}, {"relativeError", number(t.relativeError)},
+                                {"rmsPointError", number(t.rmsPointError)}, {"samples", t.samples}});
+    out["leftOut"] = Json::array();
+    for (const auto& l : r.leftOut) out["leftOut"].push_back({{"what", l.what}, {"why", l.why}});
+    out["warnings"] = r.warnings;
+    out["truncatedFraction"] = r.truncatedFraction;
+    out["rejectedSamples"] = r.rejectedSamples;
+    out["sceneHash"] = r.sceneHash, out["projectHash"] = r.projectHash;
+    out["version"] = r.version, out["kernel"] = r.kernel;
+    return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace luxdeck

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "engine/core/image.h"
+#include "engine/core/progress.h"
+#include "engine/io/project.h"
+#include "engine/transport/lit_scene.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace luxdeck {
+
+enum class Quantity {
+    Luminance,   // of what is seen [cd/m^2]
+    Illuminance  // on the surfaces that are seen [lx]
+};
+
+struct RenderSettings {
+    std::string algorithm = "path";
+    AlgorithmSettings algorithmSettings;
+    Quantity quantity = Quantity::Luminance;
+    std::uint64_t seed = 1;
+    double targetError = 0.1;            // of the picture, see RenderResult::relativeError; 0: until the time is up
+    std::optional<double> timeSeconds;
+    std::optional<std::uint32_t> samples;  // paths a pixel, instead
+};
+
+struct RenderResult {
+    /// R, G, B [cd/m^2 or lx], "stderr.Y": the standard error of the luminance, "Z": the distance to what
+    /// is seen [m]. The header names unit, view, algorithm, seed, hashes, seconds, samples, completeness.
+    Image image;
+    double seconds = 0;
+    std::uint32_t samplesPerPixel = 0;
+    double relativeError = 0;   // root mean square over the pixels of the 95 % half-width, over the mean luminance
+    bool complete = true;
+    bool targetReached = true;
+    TransportCounters counters;
+};
+
+/// Renders a view in passes over the whole picture, so that an interrupted one is noisy, not cut off.
+///
+/// afterPass  called with the picture so far every few seconds, for showing or saving it; may be empty
+/// errors     InvalidArgument: no such algorithm, no size, nothing that ends the work
+Result<RenderResult> render(const Project& project, const LitScene& lit, const View& view,
+                            const RenderSettings& settings, const Progress& progress,
+                            const std::function<void(const RenderResult&)>& afterPass = {});
+
+}  // namespace luxdeck
