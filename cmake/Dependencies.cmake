@@ -17,7 +17,6 @@ set_target_properties(OpenColorIO::OpenColorIO PROPERTIES
 find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
-find_package(assimp REQUIRED)
 find_package(xxhash REQUIRED)
 set(XXHASH_LIBRARY xxhash::xxhash)
 
