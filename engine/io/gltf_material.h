@@ -1,0 +1,57 @@
+#pragma once
+
+#include "engine/io/gltf_document.h"
+#include "engine/scene/scene.h"
+
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <vector>
+
+namespace luxdeck::gltf {
+
+/// A glTF material in the scene, and which TEXCOORD_n of a mesh its textures ask for.
+struct MaterialUse {
+    std::uint32_t material = 0;  ///< index into Scene::materials
+    int uvSet = -1;              ///< -1: no textures
+};
+
+/// Turns the document's materials into the scene's, and the pictures they use (and no others) into textures.
+/// What has no counterpart in Material becomes the nearest that has, with a warning.
+class MaterialReader {
+public:
+    MaterialReader(Document& document, Scene& scene) : document_(document), scene_(scene) {}
+
+    /// All materials of the document, in its order.
+    void readAll();
+    /// index  of the document; -1: a primitive without a material
+    MaterialUse use(std::int64_t index);
+
+private:
+    using TextureKey = std::tuple<std::size_t, TextureWrap, TextureWrap, bool>;  // image, wraps, srgb
+
+    MaterialUse read(const JsonView& json, std::size_t index);
+    void readMetallicRoughness(const JsonView& json, MaterialUse& use, Material& material);
+    void readEmission(const JsonView& json, MaterialUse& use, Material& material);
+    void readSpecularGlossiness(const JsonView& extension, MaterialUse& use, Material& material);
+    void readSpecular(const JsonView& json, Material& material);
+    void readTransmission(const JsonView& json, Material& material);
+    void checkUnusedTextures(const JsonView& json);
+    void warnOfTheRest(const JsonView& json, const Material& material);
+    TextureSlot readSlot(const JsonView& info, bool srgb, MaterialUse& use, const Material& material);
+    std::int32_t sceneTexture(std::size_t texture, const JsonView& info, bool srgb);
+    Result<Texture> decodeImage(const JsonView& image);
+    /// Reflectances and the like: outside 0 .. 1 they are clamped with a warning.
+    float fraction(const JsonView& json, double value, const Material& material);
+    Rgb colour(const JsonView& json, const Rgb& fallback, const Material& material);
+    void warn(const Material& material, const std::string& text);
+
+    Document& document_;
+    Scene& scene_;
+    std::vector<MaterialUse> uses_;
+    std::int64_t defaultMaterial_ = -1;
+    std::map<TextureKey, std::int32_t> textures_;
+    std::uint64_t texturePixels_ = 0;
+};
+
+}  // namespace luxdeck::gltf

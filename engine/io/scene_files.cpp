@@ -1,0 +1,83 @@
+#include "engine/io/scene_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <utility>
+
+namespace luxdeck {
+
+Vec3d chooseOrigin(const Box3d& bounds) {
+    if (bounds.isEmpty() || !isFinite(bounds.min) || !isFinite(bounds.max)) return {0, 0, 0};
+    double farthestM = 0;
+    for (int i = 0; i < 3; ++i) farthestM = std::max({farthestM, std::abs(bounds.min[i]), std::abs(bounds.max[i])});
+    // A float keeps 24 bits: 8 micrometres at 100 m. Within twice its own size of the origin, a larger
+    // scene would win less than two bits by moving.
+    if (farthestM <= std::max(100.0, 2 * bounds.size().length())) return {0, 0, 0};
+    const Vec3d centre = bounds.center();
+    return {std::round(centre.x), std::round(centre.y), std::round(centre.z)};
+}
+
+Result<ScenePart> readSceneFile(const std::filesystem::path& path, const GeometryPlacement& placement) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (extension == ".gltf" || extension == ".glb") return readGltf(path, placement);
+    if (extension == ".obj") return readObj(path, placement);
+    return Error{ErrorCode::Unsupported, fmt::format("geometry of type '{}', expected .gltf, .glb or .obj", extension),
+                 path.string()};
+}
+
+namespace {
+
+void moveSlot(TextureSlot& slot, std::int32_t firstTexture) {
+    if (slot.used()) slot.texture += firstTexture;
+}
+
+void shift(Vec3& position, const Vec3d& by) { position = Vec3(Vec3d(position) + by); }
+
+template <class T>
+void moveInto(std::vector<T>& target, std::vector<T>& source) {
+    target.insert(target.end(), std::make_move_iterator(source.begin()), std::make_move_iterator(source.end()));
+}
+
+/// Makes the part's indices count from where its things will stand in `scene`, and its coordinates from
+/// the scene's origin.
+void adapt(Scene& part, const Scene& scene) {
+    const auto firstTexture = static_cast<std::int32_t>(scene.textures.size());
+    for (auto& material : part.materials) {
+        moveSlot(material.reflectanceTexture, firstTexture);
+        moveSlot(material.metallicRoughnessTexture, firstTexture);
+        moveSlot(material.emissionTexture, firstTexture);
+    }
+    const Vec3d by = part.origin - scene.origin;
+    const bool moved = by != Vec3d(0, 0, 0);
+    for (auto& mesh : part.meshes) {
+        mesh.material += static_cast<std::uint32_t>(scene.materials.size());
+        mesh.object += static_cast<std::uint32_t>(scene.objects.size());
+        if (moved)
+            for (auto& position : mesh.positions) shift(position, by);
+    }
+    for (auto& luminaire : part.luminaires) {
+        luminaire.type += static_cast<std::uint32_t>(scene.luminaireTypes.size());
+        if (moved) shift(luminaire.position, by);
+    }
+}
+
+}  // namespace
+
+void append(Scene& scene, ScenePart part) {
+    if (scene.meshes.empty() && scene.luminaires.empty()) scene.origin = part.scene.origin;
+    adapt(part.scene, scene);
+    moveInto(scene.objects, part.scene.objects);
+    moveInto(scene.meshes, part.scene.meshes);
+    moveInto(scene.materials, part.scene.materials);
+    moveInto(scene.textures, part.scene.textures);
+    moveInto(scene.luminaireTypes, part.scene.luminaireTypes);
+    moveInto(scene.luminaires, part.scene.luminaires);
+    moveInto(scene.warnings, part.scene.warnings);
+}
+
+}  // namespace luxdeck
