@@ -171,9 +171,9 @@ TEST_P(GridIntervalCoverage, HoldsTheTruth) {
                 100.0 * ofMinimum.above / trials, ofMinimum.bias / trials / sigma,
                 ofMinimum.halfWidth / trials / sigma);
 
-    // 93..97 % is what is promised. 2000 trials measure a coverage of 95 % to +-0.49 % (1 sd): a case
-    // whose true coverage is 95 % leaves the bounds at 4.1 sd (4e-5), the worst one (94.0 %,
-    // docs/decisions/0003) at 1.9 sd (3 %). The seeds are fixed, so an alarm repeats and can be studied.
+    // 93..97 % is what is promised. 2000 trials measure a coverage of 95 % to +-0.49 % (1 sd): with
+    // other seeds a case whose true coverage is 95 % would leave the bounds at 4.1 sd (4e-5), the worst
+    // one (94.2 %, docs/decisions/0003) at 2.3 sd (1 %). The seeds are fixed, so an alarm repeats.
     constexpr double lowest = 93.0;
     const double highest = truth.ambiguous ? 100.0 : 97.0;
     for (const Coverage* coverage : {&ofMean, &ofMinimum, &ofUniformity}) {
@@ -188,6 +188,41 @@ TEST_P(GridIntervalCoverage, HoldsTheTruth) {
 
 INSTANTIATE_TEST_SUITE_P(Truths, GridIntervalCoverage, testing::ValuesIn(truths()),
                          [](const auto& instance) { return instance.param.name; });
+
+/// A darkest point and 1 .. 55 others above it, from all but tied (within 0.1 errors) to far away (10).
+Truth randomTruth(RandomStream& random) {
+    Truth truth = ladder("random", 1, 0);
+    truth.lux.resize(1);
+    const int count = 1 + static_cast<int>(std::exp(4.0 * random.uniform()));
+    const double spread = truth.relativeError * std::exp(4.0 * random.uniform() - 2.0);
+    const double shape = 0.3 + 2.0 * random.uniform();
+    for (int i = 0; i < count; ++i) {
+        truth.lux.push_back(100.0 * (1.0 + spread * std::pow(-std::log(1.0 - random.uniform()), shape)));
+    }
+    return truth;
+}
+
+// The constants were chosen on the truths above; these took no part in it.
+TEST(GridInterval, HoldsTheMinimumOfTruthsItWasNotTunedOn) {
+    RandomStream random(99);
+    Coverage all;
+    double lowest = 100.0;
+    for (int i = 0; i < 80; ++i) {
+        const Truth truth = randomTruth(random);
+        Coverage one;
+        for (int trial = 0; trial < trialCount() / 20; ++trial) {
+            const Interval found = gridInterval(measure(truth, random), truth.lux.size()).minimum;
+            one.add(found, truth.lux[0]);
+            all.add(found, truth.lux[0]);
+        }
+        lowest = std::min(lowest, one.percent());
+    }
+    std::printf("%d trials of 80 random truths: %.1f %%, the lowest of them %.1f %%\n", all.trials, all.percent(), lowest);
+    // 96.8 % measured with 240,000 trials (and 94.8 % the lowest truth: 100 trials each say nothing
+    // about one); 8000 measure it to 0.20 %, so the bounds are 6 sd away (2e-9).
+    EXPECT_GE(all.percent(), 95.6);
+    EXPECT_LE(all.percent(), 98.0);
+}
 
 }  // namespace
 }  // namespace luxdeck
