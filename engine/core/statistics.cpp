@@ -13,13 +13,14 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The three constants of the minimum's interval: docs/decisions/0003-grid-intervals.md says why.
-constexpr double kNoiseInflation = 2.0;        // sqrt(n / m) of the m-out-of-n bootstrap, m = n / 4 [-]
-constexpr double kCorrection = 0.8;            // part of the estimated bias that is taken back [-]
+constexpr double kNoiseInflation = 2.0;         // sqrt(n / m) of the m-out-of-n bootstrap, m = n / 4 [-]
+constexpr double kCorrection = 0.8;             // part of the estimated bias that is taken back [-]
 constexpr double kCorrectionUncertainty = 0.5;  // squared correction's share in the squared half-width [-]
 
 constexpr double kNormal95 = 1.959963984540054;
-constexpr double kReachSigmas = 5.0;    // a normal variate beyond is left out: probability 3e-7
-constexpr int kIntegrationSteps = 64;   // over <= 10 sigmas: a step of 0.16, error of the integral below 1e-6
+constexpr double kReachSigmas = 5.0;   // a normal variate beyond is left out: probability 3e-7
+constexpr int kIntegrationSteps = 64;  // over <= 10 sigmas: a step of 0.16, error of the integral below 1e-6
+constexpr double kNegligible = 1e-9;   // chance that the smallest lies higher still: the integral ends
 
 double square(double x) { return x * x; }
 
@@ -128,7 +129,7 @@ MinimumOfNormals minimumOfNormals(std::span<const PointEstimate> points, double 
     const double step = (high - low) / kIntegrationSteps;
     double allAbove = 1.0;
     result.expected = low;
-    for (int k = 1; k <= kIntegrationSteps && allAbove > 0.0; ++k) {
+    for (int k = 1; k <= kIntegrationSteps && allAbove > kNegligible; ++k) {
         const double t = k < kIntegrationSteps ? low + step * k : high;
         double allAboveNext = 1.0;
         for (std::size_t i = 0; i < count; ++i) {

@@ -31,9 +31,7 @@ public:
     /// Unbiased variance of one value; 0 for fewer than two.
     [[nodiscard]] double variance() const { return count_ > 1 ? m2_ / static_cast<double>(count_ - 1) : 0.0; }
     /// Variance of the mean.
-    [[nodiscard]] double meanVariance() const {
-        return count_ > 0 ? variance() / static_cast<double>(count_) : 0.0;
-    }
+    [[nodiscard]] double meanVariance() const { return count_ > 0 ? variance() / static_cast<double>(count_) : 0.0; }
 
 private:
     std::size_t count_ = 0;

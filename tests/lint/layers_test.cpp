@@ -80,9 +80,10 @@ const std::vector<Library>& libraries() {
         {"CLI11", std::regex("CLI/.*"), {"cli"}},
         {"VTK", std::regex("vtk.*|QVTK.*"), {"gui/view3d", "gui/drivers", "tests/gui"}},
         {"Qt Widgets",
-         std::regex("QtWidgets/.*|Q(Widget|Application|MainWindow|Dialog|DockWidget|Action|Menu|MenuBar|ToolBar|StatusBar|"
-                    "Label|PushButton|ComboBox|SpinBox|CheckBox|Slider|LineEdit|TableView|TreeView|ListView|Splitter|"
-                    "FormLayout|[HV]BoxLayout|GridLayout|FileDialog|MessageBox|ProgressBar|TabWidget)"),
+         std::regex(
+             "QtWidgets/.*|Q(Widget|Application|MainWindow|Dialog|DockWidget|Action|Menu|MenuBar|ToolBar|StatusBar|"
+             "Label|PushButton|ComboBox|SpinBox|CheckBox|Slider|LineEdit|TableView|TreeView|ListView|Splitter|"
+             "FormLayout|[HV]BoxLayout|GridLayout|FileDialog|MessageBox|ProgressBar|TabWidget)"),
          {"gui/app", "gui/panels", "gui/view3d", "gui/drivers", "tests/gui"}},
         {"Qt", std::regex("Qt?[A-Z].*"), {"analysis/report", "gui", "tests/gui"}},
         {"GoogleTest", std::regex("(gtest|gmock)/.*"), {"tests"}},
@@ -192,15 +193,15 @@ TEST(Layers, FindsWhatIsForbidden) {
     EXPECT_THAT(findingsFor("engine/core/a.h", "\"engine/scene/scene.h\""),
                 ElementsAre(HasSubstr("engine/core/a.h:2: includes engine/scene/scene.h; engine/core may not")));
     const std::vector<std::pair<std::string, std::string>> forbidden = {
-        {"engine/io/a.cpp", "\"engine/raycast/raycaster.h\""},       // sibling
-        {"engine/volume/a.cpp", "\"engine/holodeck/store.h\""},      // sibling
-        {"cli/a.cpp", "\"gui/app/window.h\""},                       // sibling
-        {"tonemap/a.cpp", "\"engine/scene/scene.h\""},               // stands on core alone
-        {"engine/transport/path/a.cpp", "\"tonemap/camera.h\""},     // beside the chain
-        {"analysis/grids/a.cpp", "\"cli/solve.h\""},                 // back
-        {"engine/core/a.cpp", "\"tests/support/scenes.h\""},         // product code on tests
-        {"engine/core/a.cpp", "<engine/scene/scene.h>"},             // brackets hide nothing
-        {"engine/shadows/a.cpp", "\"engine/core/rgb.h\""},           // no such layer
+        {"engine/io/a.cpp", "\"engine/raycast/raycaster.h\""},  // sibling
+        {"engine/volume/a.cpp", "\"engine/holodeck/store.h\""},  // sibling
+        {"cli/a.cpp", "\"gui/app/window.h\""},  // sibling
+        {"tonemap/a.cpp", "\"engine/scene/scene.h\""},  // stands on core alone
+        {"engine/transport/path/a.cpp", "\"tonemap/camera.h\""},  // beside the chain
+        {"analysis/grids/a.cpp", "\"cli/solve.h\""},  // back
+        {"engine/core/a.cpp", "\"tests/support/scenes.h\""},  // product code on tests
+        {"engine/core/a.cpp", "<engine/scene/scene.h>"},  // brackets hide nothing
+        {"engine/shadows/a.cpp", "\"engine/core/rgb.h\""},  // no such layer
         {"engine/scene/a.cpp", "<embree4/rtcore.h>"},
         {"analysis/grids/a.cpp", "<QImage>"},
         {"analysis/report/a.cpp", "<QWidget>"},
@@ -210,7 +211,7 @@ TEST(Layers, FindsWhatIsForbidden) {
         {"engine/io/a.cpp", "<CLI/CLI.hpp>"},
         {"tonemap/a.cpp", "<OpenEXR/ImfInputFile.h>"},
         {"engine/transport/a.cpp", "<nlohmann/json.hpp>"},
-        {"engine/core/a.cpp", "<boost/optional.hpp>"},               // a library that nobody decided on
+        {"engine/core/a.cpp", "<boost/optional.hpp>"},  // a library that nobody decided on
     };
     for (const auto& [file, include] : forbidden) {
         EXPECT_EQ(findingsFor(file, include).size(), 1u) << file << " " << include;

@@ -65,7 +65,8 @@ Findings missingCardFindings(const fs::path& root) {
     }
     Findings findings;
     for (const std::string& folder : algorithms) {
-        if (!fs::exists(root / folder / "README.md")) findings.push_back(folder + ": no algorithm card; expected README.md");
+        if (!fs::exists(root / folder / "README.md"))
+            findings.push_back(folder + ": no algorithm card; expected README.md");
     }
     return findings;
 }

@@ -48,8 +48,7 @@ std::string joined(const Findings& findings) {
 
 TemporaryTree::TemporaryTree() {
     static int count = 0;
-    root_ = fs::temp_directory_path() /
-            ("luxdeck_lint_" + std::to_string(::getpid()) + "_" + std::to_string(count++));
+    root_ = fs::temp_directory_path() / ("luxdeck_lint_" + std::to_string(::getpid()) + "_" + std::to_string(count++));
     fs::create_directories(root_);
 }
 

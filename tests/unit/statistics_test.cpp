@@ -1,5 +1,5 @@
-#include "engine/core/rng.h"
 #include "engine/core/statistics.h"
+#include "engine/core/rng.h"
 
 #include <gtest/gtest.h>
 
@@ -20,9 +20,16 @@ TEST(Interval, RelativeOfZeroTellsExactFromUnknown) {
 
 TEST(StudentT, AgreesWithPrintedTables) {
     // Five decimals in the tables: half a unit of the last one.
-    const std::array<std::pair<double, double>, 10> table = {
-        {{1, 12.70620}, {2, 4.30265}, {3, 3.18245}, {4, 2.77645}, {5, 2.57058},
-         {10, 2.22814}, {15, 2.13145}, {31, 2.03951}, {120, 1.97993}, {1e12, 1.95996}}};
+    const std::array<std::pair<double, double>, 10> table = {{{1, 12.70620},
+                                                              {2, 4.30265},
+                                                              {3, 3.18245},
+                                                              {4, 2.77645},
+                                                              {5, 2.57058},
+                                                              {10, 2.22814},
+                                                              {15, 2.13145},
+                                                              {31, 2.03951},
+                                                              {120, 1.97993},
+                                                              {1e12, 1.95996}}};
     for (const auto& [dof, t] : table) EXPECT_NEAR(studentT95(dof), t, 5.1e-6) << dof;
 }
 
