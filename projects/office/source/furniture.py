@@ -31,7 +31,7 @@ def desk(width=1.6, depth=0.8):
                                         DESK_HEIGHT - 0.035))
     tray = [(-w + 0.25, depth - 0.22), (w - 0.25, depth - 0.22), (w - 0.25, depth - 0.10), (-w + 0.25, depth - 0.10)]
     thing.add("steel powder white", prism(tray, DESK_HEIGHT - 0.14, DESK_HEIGHT - 0.13))
-    for x in (-w + 0.25, w - 0.253):
+    for x in (-w + 0.249, w - 0.252):
         thing.add("steel powder white", box(x, depth - 0.219, DESK_HEIGHT - 0.135, x + 0.003, depth - 0.101,
                                             DESK_HEIGHT - 0.0248))
     return thing
@@ -213,11 +213,11 @@ def bookcase(width, height, shelves, seed, back=True):
     thing, dice, depth, board = Thing(), random.Random(seed), 0.36, 0.022
     w = width / 2
     for x in (-w, w - board):
-        thing.add("oak laminate", box(x, -depth, LIFT, x + board, -0.0, height))
+        thing.add("oak laminate", box(x, -depth, LIFT, x + board, 0.0, height + 0.0006))
     for k in range(shelves + 1):
         z = 0.06 + (height - 0.06 - board) * k / shelves
         thing.add("oak laminate", box(-w + board - 0.001, -depth + 0.004, z, w - board + 0.001, -0.004, z + board))
-    thing.add("oak laminate", box(-w + board - 0.001, -depth + 0.03, 0.004, w - board + 0.001, -depth + 0.045, 0.0605))
+    thing.add("oak laminate", box(-w + board - 0.002, -depth + 0.03, 0.004, w - board + 0.002, -depth + 0.045, 0.0605))
     if back:
         thing.add("oak laminate", box(-w + 0.01, -0.014, 0.062, w - 0.01, -0.006, height - 0.004))
     for k in range(shelves):
@@ -361,8 +361,8 @@ def picture(width, height, colours, seed):
     """A framed abstract print; hangs on a wall behind y = 0 and faces -y. Its lower edge is z = 0."""
     thing, w, f, dice = Thing(), width / 2, 0.018, random.Random(seed)
     bars = [box(-w, -0.03, 0, w, -0.003, f), box(-w, -0.03, height - f, w, -0.003, height),
-            box(-w + 0.0005, -0.0295, f - 0.001, -w + f, -0.003, height - f + 0.001),
-            box(w - f, -0.0295, f - 0.001, w - 0.0005, -0.003, height - f + 0.001)]
+            box(-w + 0.0005, -0.0295, f - 0.001, -w + f, -0.0034, height - f + 0.001),
+            box(w - f, -0.0295, f - 0.001, w - 0.0005, -0.0034, height - f + 0.001)]
     thing.add("steel powder black", joined(bars))
     thing.add("paper white", box(-w + 0.01, -0.014, 0.01, w - 0.01, -0.0035, height - 0.01))
     layer = -0.0145

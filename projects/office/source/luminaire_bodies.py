@@ -39,8 +39,8 @@ def downlight(_above):
 
 
 def washer(_above):
-    """D: a square trim of 160 mm."""
-    outline = rounded_rectangle(-0.08, -0.08, 0.08, 0.08, 0.006, 2)
+    """D: a square trim of 220 mm."""
+    outline = rounded_rectangle(-0.11, -0.11, 0.11, 0.11, 0.008, 2)
     return Thing().add("luminaire white", prism(outline, GAP, GAP + 0.006))
 
 

@@ -21,7 +21,7 @@ def microprism_panel(v, h):
 
 
 def edge_lit_pendant(v, h):
-    """B: 58 % down with microprisms, 42 % up as a wide batwing that keeps the ceiling even."""
+    """B: 56 % down with microprisms, 44 % up as a wide batwing that keeps the ceiling even."""
     across = math.cos(math.radians(h)) ** 2          # 1 in the transverse plane C0
     if v < 90:
         shape = (1 + (0.18 + 0.20 * across) * math.sin(math.radians(2 * v)) ** 2)
@@ -40,16 +40,16 @@ def downlight(v, h):
 
 
 def wall_washer(v, h):
-    """D: thrown towards h = 90, 36 degrees off the nadir; the mirror plane is h = 90 - 270."""
+    """D: thrown towards h = 90, 28 degrees off the nadir; the mirror plane is h = 90 - 270."""
     if v >= 90:
         return 0.0
     sv, cv = math.sin(math.radians(v)), math.cos(math.radians(v))
     x, y = sv * math.cos(math.radians(h)), sv * math.sin(math.radians(h))
     throw = math.degrees(math.atan2(y, cv))          # in the plane square to the wall
     spread = math.degrees(math.asin(max(-1.0, min(1.0, x))))
-    width = 17.0 if throw > 36 else 21.0
+    width = 19.0 if throw > 28 else 21.0
     rim = min(1.0, cv / 0.30)                        # the luminance stays finite up to the horizontal
-    return math.exp(-((throw - 36) / width) ** 2) * math.exp(-(spread / 34.0) ** 2) * rim
+    return math.exp(-((throw - 28) / width) ** 2) * math.exp(-(spread / 34.0) ** 2) * rim
 
 
 def exact_lumens(verticals, horizontals, table):
@@ -122,34 +122,34 @@ def write(file, text):
 
 def write_panel():
     v, h = steps(0, 90, 2.5), steps(0, 90, 5)
-    table = sampled(microprism_panel, v, h, 3600, copies=4)
-    write("a_panel.ies", ies_text("Recessed LED panel 600 x 600, microprismatic", "LXD-A", 3600, 28,
+    table = sampled(microprism_panel, v, h, 3000, copies=4)
+    write("a_panel.ies", ies_text("Recessed LED panel 600 x 600, microprismatic", "LXD-A", 3000, 23,
                                   "0.57 0.57 0", v, h, table))
 
 
 def write_pendant():
     gammas, stored = steps(0, 180, 2.5), steps(0, 90, 5)
-    table = sampled(edge_lit_pendant, gammas, stored, 5600, copies=4)
+    table = sampled(edge_lit_pendant, gammas, stored, 3200, copies=4)
     down = [[i if g < 90 else 0.0 for g, i in zip(gammas, row)] for row in table]
-    percent = 100 * exact_lumens(gammas, stored, down) * 4 / 5600
-    write("b_pendant.ldt", ldt_text("Edge-lit pendant 1500, direct and indirect", "LXD-B", "b_pendant.ldt", 4, 5600, 42,
+    percent = 100 * exact_lumens(gammas, stored, down) * 4 / 3200
+    write("b_pendant.ldt", ldt_text("Edge-lit pendant 1500, direct and indirect", "LXD-B", "b_pendant.ldt", 4, 3200, 24,
                                     (1540, 200, 8, 1490, 150), steps(0, 355, 5), gammas, table, percent))
 
 
 def write_downlight():
     v = steps(0, 90, 2.5)
-    table = sampled(downlight, v, [0.0], 1500, copies=1)
-    write("c_downlight.ies", ies_text("Downlight 200, reflector, 70 degrees", "LXD-C", -1, 12.5,
+    table = sampled(downlight, v, [0.0], 950, copies=1)
+    write("c_downlight.ies", ies_text("Downlight 200, reflector, 70 degrees", "LXD-C", -1, 8,
                                       "-0.2 -0.2 0", v, [0.0], table))
 
 
 def write_washer():
     gammas = steps(0, 90, 2.5)
     turn = [c % 360 for c in steps(270, 450, 5)]     # Isym 3 stores C270, through C0, to C90
-    table = sampled(wall_washer, gammas, steps(270, 450, 5), 1800, copies=2)
+    table = sampled(wall_washer, gammas, steps(270, 450, 5), 1500, copies=2)
     assert len(turn) == len(table) == 37
-    write("d_wall_washer.ldt", ldt_text("Wall washer, asymmetric", "LXD-D", "d_wall_washer.ldt", 3, 1800, 15,
-                                        (160, 160, 90, 120, 120), steps(0, 355, 5), gammas, table, 100.0))
+    write("d_wall_washer.ldt", ldt_text("Wall washer, asymmetric", "LXD-D", "d_wall_washer.ldt", 3, 1500, 12.5,
+                                        (220, 220, 90, 180, 180), steps(0, 355, 5), gammas, table, 100.0))
 
 
 if __name__ == "__main__":

@@ -79,9 +79,9 @@ def _finish(x0, y0, x1, y1):
 
 def skirting(place):
     thick, top = 0.012, 0.08
-    runs = [box(-0.005, -0.005, -0.015, LENGTH + 0.005, thick, top - 0.0005),
-            box(-0.005, WIDTH - thick, -0.015, DOOR[0] - 0.05, WIDTH + 0.005, top - 0.0005),
-            box(DOOR[2] + 0.05, WIDTH - thick, -0.015, LENGTH + 0.005, WIDTH + 0.005, top - 0.0005),
+    runs = [box(-0.004, -0.005, -0.015, LENGTH + 0.004, thick, top - 0.0005),
+            box(-0.004, WIDTH - thick, -0.015, DOOR[0] - 0.045, WIDTH + 0.005, top - 0.0005),
+            box(DOOR[2] + 0.045, WIDTH - thick, -0.015, LENGTH + 0.004, WIDTH + 0.005, top - 0.0005),
             box(-0.005, -0.008, -0.014, thick, WIDTH + 0.008, top),
             box(LENGTH - thick, -0.008, -0.014, LENGTH + 0.005, WIDTH + 0.008, top)]
     place("Skirting", Thing().add("skirting white", *runs))
@@ -94,7 +94,7 @@ def windows(place):
     frame = Thing().add("aluminium anodised dark",
                         box(x0 - 0.005, y0, z0 - 0.005, x1 + 0.005, y1, z0 + 0.05),
                         box(x0 - 0.005, y0, z1 - 0.05, x1 + 0.005, y1, z1 + 0.005),
-                        box(x0 - 0.004, y0 + 0.004, transom - 0.022, x1 + 0.004, y1 - 0.004, transom + 0.022))
+                        box(x0 - 0.003, y0 + 0.004, transom - 0.022, x1 + 0.003, y1 - 0.004, transom + 0.022))
     step = (x1 - x0) / bays
     for k in range(bays + 1):
         x = x0 + step * k
@@ -111,9 +111,9 @@ def windows(place):
         bottom = dice.choice((2.30, 1.95, 1.95, 1.62, 1.30))
         blind = Thing().add("blind fabric", box(a + 0.012, -0.0805, bottom, b - 0.012, -0.0785, z1 - 0.035))
         blind.add("aluminium brushed", cylinder(0.024, a + 0.005, b - 0.005, 14).turned("y", 90).moved(0, -0.0795, z1 - 0.03),
-                  cylinder(0.008, a + 0.012, b - 0.012, 8).turned("y", 90).moved(0, -0.0795, bottom))
+                  cylinder(0.008, a + 0.010, b - 0.010, 8).turned("y", 90).moved(0, -0.0795, bottom))
         place(f"Blind {k + 1:02d}", blind)
-    place("Window sill", Thing().add("sill stone", rounded_block(x0 - 0.02, -0.112, z0 - 0.012, x1 + 0.02, 0.03, z0 + 0.014,
+    place("Window sill", Thing().add("sill stone", rounded_block(x0 - 0.02, -0.1155, z0 - 0.012, x1 + 0.02, 0.03, z0 + 0.014,
                                                                 0.008, 0.004, 2, 2)))
 
 
@@ -148,7 +148,7 @@ def entrance(place):
                         box(x0 - 0.05, WIDTH - 0.02, -0.012, x0 + 0.03, WIDTH + 0.16, top + 0.05),
                         box(x1 - 0.03, WIDTH - 0.02, -0.012, x1 + 0.05, WIDTH + 0.16, top + 0.05),
                         box(x0 - 0.045, WIDTH - 0.019, top - 0.03, x1 + 0.045, WIDTH + 0.159, top + 0.049),
-                        box(x0, WIDTH - 0.005, -0.012, x1, WIDTH + 0.15, 0.006))
+                        box(x0 + 0.01, WIDTH - 0.005, -0.013, x1 - 0.01, WIDTH + 0.152, 0.006))
     place("Door frame", frame)
     leaf = Thing().add("oak laminate", box(x0 + 0.024, WIDTH + 0.01, 0.004, x1 - 0.024, WIDTH + 0.052, top - 0.024))
     hx, hz = x1 - 0.10, 1.05
@@ -200,13 +200,13 @@ def _glass_run(posts, at, door, trim):
         return box(*(min(a[n], b[n]) for n in range(3)), *(max(a[n], b[n]) for n in range(3)))
 
     thing, first, last, black = Thing(), posts[0], posts[-1], "steel powder black"
-    thing.add(black, bar(first - 0.025 + trim, 0.025, 2.85 + trim, last + 0.01, 2.915))
+    thing.add(black, bar(first - 0.025 + trim, 0.025, 2.85 + trim, last + 0.01, 2.915 - trim))
     spans = list(zip(posts, posts[1:]))
     for u0, u1 in spans:
         if (u0, u1) == door:
             thing.add(black, bar(u0, 0.023, 2.225, u1, 2.275))
         else:
-            thing.add(black, bar(u0 - 0.02 + trim, 0.024, -0.01 + trim, u1 + 0.02, 0.05 - trim))
+            thing.add(black, bar(u0 + 0.005, 0.024, -0.01 + trim, u1 - 0.005, 0.05 - trim))
     for u in posts[1:] if trim else posts:
         thing.add(black, bar(u - 0.022, 0.022, -0.012, u + 0.022, 2.91))
     for u0, u1 in spans:
@@ -237,7 +237,7 @@ def wall_screen():
 
 
 def rug():
-    return Thing().add("rug terracotta", loft([circle(1.15, 0.001, 64), circle(1.16, 0.006, 64), circle(1.15, 0.011, 64)]))
+    return Thing().add("rug terracotta", loft([circle(1.15, 0.0004, 64), circle(1.16, 0.006, 64), circle(1.15, 0.011, 64)]))
 
 
 def air_outlet():
