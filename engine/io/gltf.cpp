@@ -9,9 +9,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <new>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace luxdeck {
 
@@ -23,7 +26,7 @@ using gltf::PlacedNode;
 
 /// A small file may place one mesh any number of times. Beyond this many vertices or triangles in all it is
 /// a model for engine/massive, or a trap.
-constexpr std::uint64_t kMaxPlaced = 1ULL << 26;
+constexpr std::uint64_t kMaxPlaced = 1ULL << 25;
 
 /// A mesh of the file is read when a node first places it.
 class SceneBuilder {

@@ -121,14 +121,19 @@ void Document::checkHead() {
         asset["version"].fail(fmt::format("is '{}', expected 2.0", version), ErrorCode::Unsupported);
     // Before the buffers: a broken document is told as such even when its buffers are missing too.
     (void)root()["scene"].index(root()["scenes"].size(), "scenes", false);
+    const auto used = root()["extensionsUsed"];
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        const std::string name = used.at(i).text();
+        if (!knownExtensions().contains(name)) warnings.add(name + " is left out: what the file gives without it is read");
+        if (name.find("technique") != std::string::npos)
+            warnings.add(name + ": shader programs are left out, materials keep their plain factors");
+    }
     const auto required = root()["extensionsRequired"];
     for (std::size_t i = 0; i < required.size(); ++i) {
         const std::string name = required.at(i).text();
         if (!knownExtensions().contains(name))
             required.at(i).fail(fmt::format("the file cannot be read without {}, which is not supported", name),
                                 ErrorCode::Unsupported);
-        if (name.find("technique") != std::string::npos)
-            warnings.add(name + ": shader programs are left out, materials keep their plain factors");
     }
 }
 

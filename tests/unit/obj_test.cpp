@@ -7,9 +7,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <numbers>
 #include <random>
-#include <set>
+#include <string>
+#include <vector>
 
 namespace luxdeck {
 namespace {
@@ -186,8 +186,6 @@ TEST(Polygon, StarsOfAnySizeKeepTheirArea) {
             const double angle = 2 * kPiD * double(i) / double(n), r = radius(random);
             corners.emplace_back(r * std::cos(angle), 1.0, r * std::sin(angle));
         }
-        for (std::size_t i = 0; i < n; ++i) expected += 0.5 * corners[i].cross(corners[(i + 1) % n]).y + 0;
-        expected = 0;
         for (std::size_t i = 0; i < n; ++i) {
             const Vec3d &a = corners[i], &b = corners[(i + 1) % n];
             expected += 0.5 * (a.x * b.z - a.z * b.x);
