@@ -1,6 +1,7 @@
 #include "engine/io/photometry.h"
 
 #include "engine/core/file.h"
+#include "engine/io/eulumdat_fields.h"
 #include "engine/io/photometry_flux.h"
 #include "engine/io/photometry_opening.h"
 #include "engine/io/photometry_planes.h"
@@ -18,70 +19,6 @@ using namespace photometry;
 
 constexpr std::size_t kMostPlanes = 100'000;
 constexpr std::size_t kMostLampSets = 20;  // the format's own limit
-
-/// The lines of an EULUMDAT file, one field each, in order. Blank lines are fields.
-class FieldReader {
-public:
-    FieldReader(const std::filesystem::path& file, std::vector<std::string_view> lines, Photometry& photometry)
-        : file_(file), lines_(std::move(lines)), photometry_(photometry) {
-        while (!lines_.empty() && trim(lines_.back()).empty()) lines_.pop_back();
-    }
-
-    Result<std::string> text(const char* what) {
-        if (next_ >= lines_.size()) return error(fmt::format("the file ends here, expected {}", what));
-        return std::string(trim(lines_[next_++]));
-    }
-
-    /// A number that must be there.
-    Result<double> number(const char* what) {
-        const auto field = text(what);
-        if (!field) return field.error();
-        const auto value = parseField(*field);
-        if (!value) return error(fmt::format("seen {}, expected {} (a finite number)", inQuotes(*field), what));
-        return *value;
-    }
-
-    /// A number that tools leave blank or fill with text: then `otherwise`, with a repair.
-    Result<double> lenientNumber(const char* what, double otherwise) {
-        const auto field = text(what);
-        if (!field) return field.error();
-        if (const auto value = parseField(*field)) return *value;
-        photometry_.repairs.push_back(fmt::format("line {}: {} is {}, taken as {:.4g}", next_, what, inQuotes(*field), otherwise));
-        return otherwise;
-    }
-
-    Result<std::size_t> count(const char* what, std::size_t least, std::size_t most) {
-        const auto value = number(what);
-        if (!value) return value.error();
-        if (!(*value >= static_cast<double>(least) && *value <= static_cast<double>(most)) || *value != std::floor(*value)) {
-            return error(fmt::format("{} is {}, expected a whole number from {} to {}", what, *value, least, most));
-        }
-        return static_cast<std::size_t>(*value);
-    }
-
-    Result<void> skip(std::size_t fields, const char* what) {
-        for (std::size_t i = 0; i < fields; ++i) {
-            if (auto field = text(what); !field) return field.error();
-        }
-        return {};
-    }
-
-    [[nodiscard]] std::size_t remaining() const { return lines_.size() - next_; }
-    [[nodiscard]] std::size_t line() const { return next_; }  ///< of the last field, 1-based
-    [[nodiscard]] Error error(std::string message) const { return errorAt(file_, next_, std::move(message)); }
-
-private:
-    /// Blanks and apostrophes group thousands in some tools ("10 080", "10'080").
-    static std::optional<double> parseField(std::string field) {
-        std::erase_if(field, [](char c) { return c == ' ' || c == '\''; });
-        return parseNumber(field);
-    }
-
-    const std::filesystem::path& file_;
-    std::vector<std::string_view> lines_;
-    Photometry& photometry_;
-    std::size_t next_ = 0;
-};
 
 /// What the fields before the angles say. Lengths in mm, percentages as in the file.
 struct Header {
@@ -139,15 +76,19 @@ Result<void> readBody(FieldReader& in, Header& h) {
         double otherwise;
     };
     double unused = 0;
-    const Field fields[] = {{"the luminaire's length", &unused, 0}, {"the luminaire's width", &unused, 0},
-                            {"the luminaire's height", &unused, 0}, {"the luminous length", &h.luminousLength, 0},
-                            {"the luminous width", &h.luminousWidth, 0}, {"the luminous height at C0", &h.luminousHeight[0], 0},
+    const Field fields[] = {{"the luminaire's length", &unused, 0},
+                            {"the luminaire's width", &unused, 0},
+                            {"the luminaire's height", &unused, 0},
+                            {"the luminous length", &h.luminousLength, 0},
+                            {"the luminous width", &h.luminousWidth, 0},
+                            {"the luminous height at C0", &h.luminousHeight[0], 0},
                             {"the luminous height at C90", &h.luminousHeight[1], 0},
                             {"the luminous height at C180", &h.luminousHeight[2], 0},
                             {"the luminous height at C270", &h.luminousHeight[3], 0},
                             {"the downward flux fraction", &h.downwardPercent, -1},
                             {"the light output ratio", &h.outputPercent, 0},
-                            {"the conversion factor", &h.conversion, 1}, {"the tilt", &h.tilt, 0}};
+                            {"the conversion factor", &h.conversion, 1},
+                            {"the tilt", &h.tilt, 0}};
     for (const auto& [what, value, otherwise] : fields) {
         const auto number = in.lenientNumber(what, otherwise);
         if (!number) return number.error();
@@ -182,14 +123,16 @@ Result<void> readLamps(FieldReader& in, Header& h, Photometry& p) {
         p.watts = std::max(*watts, 0.0);
     }
     if (*sets > 1) {
-        p.repairs.push_back(fmt::format("{} lamp sets, which are alternatives: the first, {} ({:.6g} lm), is used; not used: {}",
-                                        *sets, inQuotes(p.lamp), h.lampLumens, others));
+        p.repairs.push_back(
+            fmt::format("{} lamp sets, which are alternatives: the first, {} ({:.6g} lm), is used; not used: {}", *sets,
+                        inQuotes(p.lamp), h.lampLumens, others));
     }
     return {};
 }
 
 /// Angles as listed; where a tool listed nothing but zeros, or no rising order, from the step.
-Result<std::vector<double>> readAngles(FieldReader& in, std::size_t count, double step, const char* what, Photometry& p) {
+Result<std::vector<double>> readAngles(FieldReader& in, std::size_t count, double step, const char* what,
+                                       Photometry& p) {
     std::vector<double> angles(count);
     std::size_t firstWrong = 0;
     const std::size_t firstLine = in.line();
@@ -206,18 +149,20 @@ Result<std::vector<double>> readAngles(FieldReader& in, std::size_t count, doubl
         p.repairs.push_back(fmt::format("{}s are all 0: taken in steps of {:.4g} degrees", what, step));
         return angles;
     }
-    Error error = in.error(fmt::format("{} {} is {:.6g}, expected more than the one before, {:.6g}", what, firstWrong + 1,
-                                       angles[firstWrong], angles[firstWrong - 1]));
+    Error error = in.error(fmt::format("{} {} is {:.6g}, expected more than the one before, {:.6g}", what,
+                                       firstWrong + 1, angles[firstWrong], angles[firstWrong - 1]));
     const std::string where = error.where.substr(0, error.where.rfind(':'));
     error.where = fmt::format("{}:{}", where, firstLine + firstWrong + 1);
     return error;
 }
 
 /// Index of a C plane in the list.
-Result<std::size_t> planeAt(const std::vector<double>& planes, double angle, const FieldReader& in, std::size_t symmetry) {
+Result<std::size_t> planeAt(const std::vector<double>& planes, double angle, const FieldReader& in,
+                            std::size_t symmetry) {
     const auto found = std::find_if(planes.begin(), planes.end(), [&](double c) { return std::abs(c - angle) < 0.01; });
     if (found == planes.end()) {
-        return in.error(fmt::format("no C plane at {} degrees among those listed above, where symmetry {} needs one", angle, symmetry));
+        return in.error(fmt::format("no C plane at {} degrees among those listed above, where symmetry {} needs one",
+                                    angle, symmetry));
     }
     return static_cast<std::size_t>(found - planes.begin());
 }
@@ -246,8 +191,8 @@ Result<std::vector<double>> storedPlanes(const std::vector<double>& planes, cons
 
 PhotometrySymmetry symmetryOf(std::size_t indicator) {
     constexpr PhotometrySymmetry kSymmetries[] = {PhotometrySymmetry::None, PhotometrySymmetry::Axial,
-                                                  PhotometrySymmetry::Bilateral0to180, PhotometrySymmetry::Bilateral90to270,
-                                                  PhotometrySymmetry::Quadrant};
+                                                  PhotometrySymmetry::Bilateral0to180,
+                                                  PhotometrySymmetry::Bilateral90to270, PhotometrySymmetry::Quadrant};
     return kSymmetries[indicator];
 }
 
@@ -265,8 +210,9 @@ Result<StoredPlanes> readPlanes(FieldReader& in, const Header& h, double scale, 
     auto stored = storedPlanes(*planes, h, in);
     if (!stored) return stored.error();
     if (stored->size() < planes->size() && in.remaining() == planes->size() * gammas->size()) {
-        p.repairs.push_back(fmt::format("all {} C planes are stored although symmetry {} needs {}: read without symmetry",
-                                        planes->size(), h.symmetry, stored->size()));
+        p.repairs.push_back(
+            fmt::format("all {} C planes are stored although symmetry {} needs {}: read without symmetry",
+                        planes->size(), h.symmetry, stored->size()));
         stored = *planes;
         symmetry = PhotometrySymmetry::None;
     }
@@ -283,7 +229,8 @@ Result<StoredPlanes> readPlanes(FieldReader& in, const Header& h, double scale, 
         if (!value) return value.error();
         candela = *value * scale;
     }
-    if (in.remaining() > 0) p.repairs.push_back(fmt::format("{} line(s) after the last intensity ignored", in.remaining()));
+    if (in.remaining() > 0)
+        p.repairs.push_back(fmt::format("{} line(s) after the last intensity ignored", in.remaining()));
     return out;
 }
 
@@ -294,15 +241,15 @@ void readOpening(const Header& h, Photometry& p) {
     const double width = std::abs(h.luminousWidth) * 1e-3;
     const auto [least, most] = std::minmax_element(std::begin(h.luminousHeight), std::end(h.luminousHeight));
     // The mean keeps the projected area of the sides right on average.
-    const double height = std::max(0.0, 0.25e-3 * (h.luminousHeight[0] + h.luminousHeight[1] + h.luminousHeight[2] +
-                                                   h.luminousHeight[3]));
+    const double height = std::max(
+        0.0, 0.25e-3 * (h.luminousHeight[0] + h.luminousHeight[1] + h.luminousHeight[2] + h.luminousHeight[3]));
     if (length == 0 && width == 0) {
         p.warnings.emplace_back("no luminous area stated: taken as a point");
         return;
     }
     if (*most - *least > 0.5) {
-        p.repairs.push_back(fmt::format("luminous heights from {:.4g} to {:.4g} mm taken as their mean, {:.4g} mm", *least,
-                                        *most, 1e3 * height));
+        p.repairs.push_back(fmt::format("luminous heights from {:.4g} to {:.4g} mm taken as their mean, {:.4g} mm",
+                                        *least, *most, 1e3 * height));
     }
     if (width == 0) {
         p.opening = height > 0 ? uprightCylinder(length, height) : disc(length);
@@ -314,14 +261,16 @@ void readOpening(const Header& h, Photometry& p) {
 
 void noteOddities(const Header& h, const StoredPlanes& stored, Photometry& p) {
     if (h.planeStep > 0 && h.planeCount > 1 && std::abs(h.planeStep * static_cast<double>(h.planeCount) - 360) > 0.5) {
-        p.warnings.push_back(fmt::format("{} C planes in steps of {:.4g} degrees are no full turn; the listed angles are used",
-                                         h.planeCount, h.planeStep));
+        p.warnings.push_back(
+            fmt::format("{} C planes in steps of {:.4g} degrees are no full turn; the listed angles are used",
+                        h.planeCount, h.planeStep));
     }
     if (h.symmetry == 0 && stored.horizontal.size() == 1) {
         p.warnings.emplace_back("a single C plane without symmetry: taken as axial");
     }
     if (h.tilt != 0) {
-        p.warnings.push_back(fmt::format("measured with the luminaire tilted {:.4g} degrees: the intensities are used as they are", h.tilt));
+        p.warnings.push_back(fmt::format(
+            "measured with the luminaire tilted {:.4g} degrees: the intensities are used as they are", h.tilt));
     }
 }
 
@@ -372,7 +321,8 @@ Result<Photometry> readEulumdat(std::string_view bytes, const std::filesystem::p
     clampNegative(stored->candela, p.warnings);
     noteOddities(header, *stored, p);
     auto full = expanded(*stored);
-    auto table = CandelaTable::create(full.type, std::move(full.vertical), std::move(full.horizontal), std::move(full.candela));
+    auto table =
+        CandelaTable::create(full.type, std::move(full.vertical), std::move(full.horizontal), std::move(full.candela));
     if (!table) return errorAt(name, anglesLine, table.error().message);
 
     p.table = std::move(*table);

@@ -42,7 +42,8 @@ struct Numbers {
 /// Lamp geometry, angles and factors of a tilt table. The intensities hold for the luminaire as it was measured;
 /// what the table says about other mounting angles is told, not applied.
 Result<void> readTilt(TokenReader& tokens, Photometry& p) {
-    if (auto geometry = tokens.count("the lamp-to-luminaire geometry of TILT (1, 2 or 3)", 3); !geometry) return geometry.error();
+    if (auto geometry = tokens.count("the lamp-to-luminaire geometry of TILT (1, 2 or 3)", 3); !geometry)
+        return geometry.error();
     const auto pairs = tokens.count("the number of tilt angles", kMostAngles);
     if (!pairs) return pairs.error();
     for (std::size_t i = 0; i < *pairs; ++i) {
@@ -58,8 +59,10 @@ Result<void> readTilt(TokenReader& tokens, Photometry& p) {
         most = std::max(most, *factor);
     }
     if (least != 1 || most != 1) {
-        p.warnings.push_back(fmt::format("the lamp's output depends on how the luminaire is tilted (factor {:.4g}..{:.4g}): "
-                                         "not applied, the intensities are those of the measured position", least, most));
+        p.warnings.push_back(
+            fmt::format("the lamp's output depends on how the luminaire is tilted (factor {:.4g}..{:.4g}): "
+                        "not applied, the intensities are those of the measured position",
+                        least, most));
     }
     return {};
 }
@@ -73,8 +76,9 @@ Result<void> readTiltFile(const Labels& labels, const std::filesystem::path& nam
     const auto path = name.parent_path() / std::filesystem::path(file).filename();
     const auto bytes = readFile(path, 1 << 20);
     if (!bytes) {
-        p.warnings.push_back(fmt::format("the tilt file {} cannot be read: how tilting changes the lamp's output is not known",
-                                         inQuotes(labels.tilt)));
+        p.warnings.push_back(
+            fmt::format("the tilt file {} cannot be read: how tilting changes the lamp's output is not known",
+                        inQuotes(labels.tilt)));
         return {};
     }
     const auto text = decodeText(*bytes, path, p.repairs);
@@ -101,7 +105,8 @@ Result<Numbers> readNumbers(TokenReader& tokens) {
         }
         return {};
     };
-    auto ok = read({{"the number of lamps", &n.lampCount}, {"the lumens per lamp", &n.lumensPerLamp},
+    auto ok = read({{"the number of lamps", &n.lampCount},
+                    {"the lumens per lamp", &n.lumensPerLamp},
                     {"the candela multiplier", &n.multiplier}});
     if (!ok) return ok.error();
     const auto verticalCount = tokens.count("the number of vertical angles", kMostAngles);
@@ -112,9 +117,12 @@ Result<Numbers> readNumbers(TokenReader& tokens) {
     if (!type) return type.error();
     const auto units = tokens.count("the unit of lengths (1 = feet, 2 = metres)", 2);
     if (!units) return units.error();
-    ok = read({{"the width of the opening", &n.width}, {"the length of the opening", &n.length},
-               {"the height of the opening", &n.height}, {"the ballast factor", &n.ballastFactor},
-               {"the ballast-lamp factor (or its successor)", &n.twelfth}, {"the input watts", &n.watts}});
+    ok = read({{"the width of the opening", &n.width},
+               {"the length of the opening", &n.length},
+               {"the height of the opening", &n.height},
+               {"the ballast factor", &n.ballastFactor},
+               {"the ballast-lamp factor (or its successor)", &n.twelfth},
+               {"the input watts", &n.watts}});
     if (!ok) return ok.error();
     n.verticalCount = *verticalCount;
     n.horizontalCount = *horizontalCount;
@@ -142,8 +150,8 @@ Result<double> lampFactor(Numbers& n, int year, const TokenReader& tokens, Photo
         return n.ballastFactor * n.twelfth;
     }
     if (year < 2019 && n.twelfth != 1 && n.twelfth != 0) {
-        p.warnings.push_back(fmt::format("the number after the ballast factor is {:.6g}, unused since 1995: not multiplied in",
-                                         n.twelfth));
+        p.warnings.push_back(fmt::format(
+            "the number after the ballast factor is {:.6g}, unused since 1995: not multiplied in", n.twelfth));
     }
     return n.ballastFactor;
 }
@@ -152,12 +160,15 @@ Result<double> lampFactor(Numbers& n, int year, const TokenReader& tokens, Photo
 Result<StoredPlanes> readPlanes(TokenReader& tokens, const Numbers& n, double scale) {
     const std::size_t wanted = n.verticalCount + n.horizontalCount + n.verticalCount * n.horizontalCount;
     if (wanted > tokens.remaining()) {
-        return tokens.error(fmt::format("the file states {} vertical and {} horizontal angles, which take {} numbers after "
-                                        "this line; seen {}", n.verticalCount, n.horizontalCount, wanted, tokens.remaining()));
+        return tokens.error(
+            fmt::format("the file states {} vertical and {} horizontal angles, which take {} numbers after "
+                        "this line; seen {}",
+                        n.verticalCount, n.horizontalCount, wanted, tokens.remaining()));
     }
     StoredPlanes stored;
     stored.type = n.type;
-    const auto read = [&](std::vector<double>& values, std::size_t count, const char* what, double factor) -> Result<void> {
+    const auto read = [&](std::vector<double>& values, std::size_t count, const char* what,
+                          double factor) -> Result<void> {
         values.resize(count);
         for (double& value : values) {
             const auto number = tokens.number(what);
@@ -168,7 +179,8 @@ Result<StoredPlanes> readPlanes(TokenReader& tokens, const Numbers& n, double sc
     };
     if (auto ok = read(stored.vertical, n.verticalCount, "a vertical angle", 1); !ok) return ok.error();
     if (auto ok = read(stored.horizontal, n.horizontalCount, "a horizontal angle", 1); !ok) return ok.error();
-    if (auto ok = read(stored.candela, n.verticalCount * n.horizontalCount, "a candela value", scale); !ok) return ok.error();
+    if (auto ok = read(stored.candela, n.verticalCount * n.horizontalCount, "a candela value", scale); !ok)
+        return ok.error();
     return stored;
 }
 
@@ -177,8 +189,9 @@ void noteTrailing(const TokenReader& tokens, Photometry& p) {
     if (parseNumber(tokens.peek())) {
         p.repairs.push_back(fmt::format("{} number(s) after the last candela value ignored", tokens.remaining()));
     } else {
-        p.warnings.push_back(fmt::format("text after the last candela value ({}): a second luminaire? Only the first is read",
-                                         inQuotes(tokens.peek())));
+        p.warnings.push_back(
+            fmt::format("text after the last candela value ({}): a second luminaire? Only the first is read",
+                        inQuotes(tokens.peek())));
     }
 }
 
@@ -208,7 +221,8 @@ void settleType1986(StoredPlanes& stored, int year, Photometry& p) {
     const bool negative = std::any_of(stored.vertical.begin(), stored.vertical.end(), [](double v) { return v < 0; });
     if (year > 1986 || stored.type != PhotometryType::C || !negative) return;
     stored.type = PhotometryType::A;
-    p.repairs.emplace_back("photometric type 1 with negative vertical angles taken as type A (1986 used 1 for C and A)");
+    p.repairs.emplace_back(
+        "photometric type 1 with negative vertical angles taken as type A (1986 used 1 for C and A)");
 }
 
 }  // namespace
@@ -244,7 +258,8 @@ Result<Photometry> readIes(std::string_view bytes, const std::filesystem::path& 
     if (auto ok = settleAngles(*stored, mirrorsVertical, p); !ok) return errorAt(name, anglesLine, ok.error().message);
     auto full = expanded(*stored, mirrorsVertical);
     warnIfSeamDiffers(full, p.warnings);
-    auto table = CandelaTable::create(full.type, std::move(full.vertical), std::move(full.horizontal), std::move(full.candela));
+    auto table =
+        CandelaTable::create(full.type, std::move(full.vertical), std::move(full.horizontal), std::move(full.candela));
     if (!table) return errorAt(name, anglesLine, table.error().message);
 
     p.table = std::move(*table);

@@ -39,7 +39,8 @@ void keepHorizontal(StoredPlanes& stored, const std::vector<std::size_t>& keep) 
 
 /// The indices of `angles` in rising order without duplicates.
 Result<std::vector<std::size_t>> risingOrder(const std::vector<double>& angles, const char* what, Photometry& p) {
-    const bool falling = angles.size() > 1 && std::is_sorted(angles.rbegin(), angles.rend()) && angles.front() > angles.back();
+    const bool falling =
+        angles.size() > 1 && std::is_sorted(angles.rbegin(), angles.rend()) && angles.front() > angles.back();
     std::vector<std::size_t> order;
     std::size_t duplicates = 0;
     for (std::size_t k = 0; k < angles.size(); ++k) {
@@ -120,15 +121,18 @@ void warnIfIncomplete(const StoredPlanes& stored, Photometry& p) {
 Result<void> settleTypeC(StoredPlanes& stored, Photometry& p) {
     snap(stored.vertical, {0, 90, 180});
     if (stored.vertical.front() < 0 || stored.vertical.back() > 180) {
-        return refused(fmt::format("vertical angles from {:.6g} to {:.6g} in type C, expected 0..180 (types A and B "
-                                   "have -90..90)", stored.vertical.front(), stored.vertical.back()));
+        return refused(
+            fmt::format("vertical angles from {:.6g} to {:.6g} in type C, expected 0..180 (types A and B "
+                        "have -90..90)",
+                        stored.vertical.front(), stored.vertical.back()));
     }
     snap(stored.horizontal, {-180, -90, 0, 90, 180, 270, 360});
     const auto symmetry = symmetryOfC(stored.horizontal);
     if (!symmetry) return symmetry.error();
     stored.symmetry = *symmetry;
     if (*symmetry == PhotometrySymmetry::Axial && stored.horizontal.front() != 0) {
-        p.repairs.push_back(fmt::format("the single plane at {:.6g} degrees taken as axial symmetry", stored.horizontal.front()));
+        p.repairs.push_back(
+            fmt::format("the single plane at {:.6g} degrees taken as axial symmetry", stored.horizontal.front()));
     }
     if (*symmetry != PhotometrySymmetry::Axial) warnIfIncomplete(stored, p);
     return {};
@@ -139,14 +143,16 @@ Result<void> settleTypeAB(StoredPlanes& stored, bool& mirrorsVertical, Photometr
         const char* what = angles == &stored.vertical ? "vertical" : "horizontal";
         snap(*angles, {-90, 0, 90});
         if (angles->size() < 2 || angles->front() < -90 || angles->back() > 90) {
-            return refused(fmt::format("{} {} angles from {:.6g} to {:.6g} in type A or B, expected at least 2 within -90..90",
-                                       angles->size(), what, angles->front(), angles->back()));
+            return refused(
+                fmt::format("{} {} angles from {:.6g} to {:.6g} in type A or B, expected at least 2 within -90..90",
+                            angles->size(), what, angles->front(), angles->back()));
         }
     }
     const bool mirrorsHorizontal = stored.horizontal.front() == 0;
     mirrorsVertical = stored.vertical.front() == 0;
     if (mirrorsVertical) {
-        p.repairs.push_back(fmt::format("vertical angles 0..{:.6g} mirrored to both sides of the aim", stored.vertical.back()));
+        p.repairs.push_back(
+            fmt::format("vertical angles 0..{:.6g} mirrored to both sides of the aim", stored.vertical.back()));
     }
     stored.symmetry = mirrorsHorizontal && mirrorsVertical ? PhotometrySymmetry::Quadrant
                       : mirrorsHorizontal                  ? PhotometrySymmetry::Bilateral0to180

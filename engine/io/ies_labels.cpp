@@ -14,7 +14,8 @@ namespace {
 std::optional<int> editionOf(std::string_view firstLine) {
     const std::string tag = upperCase(trim(firstLine));
     if (!tag.starts_with("IES")) return std::nullopt;
-    constexpr std::pair<const char*, int> kEditions[] = {{"2019", 2019}, {"2002", 2002}, {"95", 1995}, {"91", 1991}, {"86", 1986}};
+    constexpr std::pair<const char*, int> kEditions[] = {
+        {"2019", 2019}, {"2002", 2002}, {"95", 1995}, {"91", 1991}, {"86", 1986}};
     for (const auto& [digits, year] : kEditions) {
         if (tag.find(digits) != std::string::npos) return year;
     }
@@ -50,7 +51,8 @@ void readLabel(std::string_view line, Labels& labels, std::string& lastKey) {
 
 }  // namespace
 
-Result<Labels> readLabels(const std::vector<std::string_view>& lines, const std::filesystem::path& name, Photometry& p) {
+Result<Labels> readLabels(const std::vector<std::string_view>& lines, const std::filesystem::path& name,
+                          Photometry& p) {
     Labels labels;
     std::size_t i = 0;
     while (i < lines.size() && trim(lines[i]).empty()) ++i;

@@ -81,8 +81,10 @@ void readOpening(const IesOpening& file, Photometry& p) {
     } else {
         const Mapped mapped = file.year >= 2002 ? sinceEdition2002(w, l, h) : beforeEdition2002(file.year, w, l, h);
         if (!(mapped.opening.lengthM > 0)) {
-            p.warnings.push_back(fmt::format("luminous opening: width {:.4g}, length {:.4g}, height {:.4g} is no shape of "
-                                             "LM-63; taken as a point", file.width, file.length, file.height));
+            p.warnings.push_back(
+                fmt::format("luminous opening: width {:.4g}, length {:.4g}, height {:.4g} is no shape of "
+                            "LM-63; taken as a point",
+                            file.width, file.length, file.height));
             return;
         }
         p.opening = mapped.opening;

@@ -69,8 +69,9 @@ std::optional<std::string> coarseSum(const StoredPlanes& stored, double claimed)
     }
     for (const auto& [name, lumens] : candidates) {
         if (agrees(lumens, claimed, kSameFigure)) {
-            return fmt::format("the header's flux is a {} ({:.5g} lm); the integral of the interpolated intensities differs",
-                               name, lumens);
+            return fmt::format(
+                "the header's flux is a {} ({:.5g} lm); the integral of the interpolated intensities differs", name,
+                lumens);
         }
     }
     return std::nullopt;
@@ -100,25 +101,30 @@ std::string reason(const Photometry& p, const FluxClaim& claim, const StoredPlan
     const double ratio = lumens / claim.lumens;
     if (claim.of == FluxClaim::Of::Lamps && ratio <= 1) {
         // No luminaire worth measuring keeps nine tenths of its light.
-        return fmt::format("light output ratio {:.3f}: lamps {:.5g} lm ({}), luminaire {:.5g} lm{}", ratio, claim.lumens,
-                           claim.statedAs, lumens, ratio < 0.1 ? "; so little that a factor is missing somewhere" : "");
+        return fmt::format("light output ratio {:.3f}: lamps {:.5g} lm ({}), luminaire {:.5g} lm{}", ratio,
+                           claim.lumens, claim.statedAs, lumens,
+                           ratio < 0.1 ? "; so little that a factor is missing somewhere" : "");
     }
     if (const auto why = missingPart(p, claim)) return *why;
     if (const auto why = coarseSum(stored, claim.lumens)) return *why;
     if (claim.of == FluxClaim::Of::Lamps) {
-        return fmt::format("the intensities give {:.5g} lm, {:.4g} times the lamp flux in the header ({}), which no "
-                           "luminaire can: the header's lamp flux is nominal or wrong; the intensities are used",
-                           lumens, ratio, claim.statedAs);
+        return fmt::format(
+            "the intensities give {:.5g} lm, {:.4g} times the lamp flux in the header ({}), which no "
+            "luminaire can: the header's lamp flux is nominal or wrong; the intensities are used",
+            lumens, ratio, claim.statedAs);
     }
     if (agrees(1000 * ratio, claim.lampLumens, kAgreement)) {
-        return fmt::format("the intensities look absolute instead of per 1000 lm: taken as candela they give the {:.5g} lm "
-                           "of the header; read per 1000 lm, as the format says", claim.lumens);
+        return fmt::format(
+            "the intensities look absolute instead of per 1000 lm: taken as candela they give the {:.5g} lm "
+            "of the header; read per 1000 lm, as the format says",
+            claim.lumens);
     }
     const double outputRatio = claim.lampLumens > 0 ? lumens / claim.lampLumens : 0;
-    return fmt::format("table and header contradict each other: the intensities give {:.5g} lm (light output ratio "
-                       "{:.3f}{}), the header {:.5g} lm ({}), and no usual sum over the angles explains it; the "
-                       "intensities are used", lumens, outputRatio, outputRatio > 1.01 ? ", impossible" : "",
-                       claim.lumens, claim.statedAs);
+    return fmt::format(
+        "table and header contradict each other: the intensities give {:.5g} lm (light output ratio "
+        "{:.3f}{}), the header {:.5g} lm ({}), and no usual sum over the angles explains it; the "
+        "intensities are used",
+        lumens, outputRatio, outputRatio > 1.01 ? ", impossible" : "", claim.lumens, claim.statedAs);
 }
 
 }  // namespace
@@ -128,8 +134,10 @@ void judgeFlux(Photometry& p, const FluxClaim& claim, const StoredPlanes& stored
     if (!(lumens > 0)) {
         p.warnings.emplace_back("flux: all intensities are 0");
     } else if (claim.of == FluxClaim::Of::Nothing) {
-        p.warnings.push_back(fmt::format("flux: absolute photometry, the header states none; {:.5g} lm from the "
-                                         "intensities", lumens));
+        p.warnings.push_back(
+            fmt::format("flux: absolute photometry, the header states none; {:.5g} lm from the "
+                        "intensities",
+                        lumens));
     } else if (!(claim.lumens > 0)) {
         p.warnings.push_back(fmt::format("flux: the header states a flux of 0 ({}); {:.5g} lm from the intensities",
                                          claim.statedAs, lumens));
@@ -145,8 +153,8 @@ void judgeFlux(Photometry& p, const FluxClaim& claim, const StoredPlanes& stored
     }
     const double efficacy = p.watts > 0 ? lumens / p.watts : 0;
     if (efficacy > 250) {
-        p.warnings.push_back(fmt::format("{:.0f} lm/W is more than any lamp gives: {:.5g} lm from {:.4g} W", efficacy,
-                                         lumens, p.watts));
+        p.warnings.push_back(
+            fmt::format("{:.0f} lm/W is more than any lamp gives: {:.5g} lm from {:.4g} W", efficacy, lumens, p.watts));
     }
 }
 

@@ -23,8 +23,10 @@ void warnIfHuge(Photometry& p) {
     constexpr double kHugeM = 20;
     const double largest = std::max({p.opening.lengthM, p.opening.widthM, p.opening.heightM});
     if (largest > kHugeM) {
-        p.warnings.push_back(fmt::format("the luminous opening is {:.4g} m long: are its sizes in another unit than "
-                                         "the file says?", largest));
+        p.warnings.push_back(
+            fmt::format("the luminous opening is {:.4g} m long: are its sizes in another unit than "
+                        "the file says?",
+                        largest));
     }
 }
 

@@ -31,8 +31,10 @@ std::vector<Plane> withImages(const StoredPlanes& stored) {
         }
     };
     const auto symmetry = stored.symmetry;
-    const bool about0to180 = symmetry == PhotometrySymmetry::Bilateral0to180 || symmetry == PhotometrySymmetry::Quadrant;
-    const bool about90to270 = symmetry == PhotometrySymmetry::Bilateral90to270 || symmetry == PhotometrySymmetry::Quadrant;
+    const bool about0to180 =
+        symmetry == PhotometrySymmetry::Bilateral0to180 || symmetry == PhotometrySymmetry::Quadrant;
+    const bool about90to270 =
+        symmetry == PhotometrySymmetry::Bilateral90to270 || symmetry == PhotometrySymmetry::Quadrant;
     add([](double c) { return c; });
     if (about0to180) add([](double c) { return -c; });
     if (about90to270) add([](double c) { return 180 - c; });
@@ -78,9 +80,10 @@ StoredPlanes expandedTypeC(const StoredPlanes& stored) {
     // A file that stores 360 itself keeps it, even where it differs from its plane at 0.
     const std::size_t nV = out.vertical.size();
     const auto stored360 = std::find(stored.horizontal.begin(), stored.horizontal.end(), 360.0);
-    const double* closing = stored360 == stored.horizontal.end()
-                                ? out.candela.data()
-                                : stored.candela.data() + static_cast<std::size_t>(stored360 - stored.horizontal.begin()) * nV;
+    const double* closing =
+        stored360 == stored.horizontal.end()
+            ? out.candela.data()
+            : stored.candela.data() + static_cast<std::size_t>(stored360 - stored.horizontal.begin()) * nV;
     const std::vector<double> row(closing, closing + nV);
     append(out, 360, row.data());
     return out;
@@ -105,10 +108,13 @@ std::vector<double> mirroredAngles(const std::vector<double>& half, bool mirror)
 
 StoredPlanes expanded(const StoredPlanes& stored, bool mirrorsVertical) {
     if (stored.type == PhotometryType::C) return expandedTypeC(stored);
-    const bool mirrorsHorizontal = stored.symmetry == PhotometrySymmetry::Bilateral0to180 ||
-                                   stored.symmetry == PhotometrySymmetry::Quadrant;
-    StoredPlanes out{stored.type, stored.symmetry, mirroredAngles(stored.vertical, mirrorsVertical),
-                     mirroredAngles(stored.horizontal, mirrorsHorizontal), {}};
+    const bool mirrorsHorizontal =
+        stored.symmetry == PhotometrySymmetry::Bilateral0to180 || stored.symmetry == PhotometrySymmetry::Quadrant;
+    StoredPlanes out{stored.type,
+                     stored.symmetry,
+                     mirroredAngles(stored.vertical, mirrorsVertical),
+                     mirroredAngles(stored.horizontal, mirrorsHorizontal),
+                     {}};
     out.candela.reserve(out.vertical.size() * out.horizontal.size());
     const auto verticalOrder = mirrored(stored.vertical.size(), mirrorsVertical);
     for (const std::size_t h : mirrored(stored.horizontal.size(), mirrorsHorizontal)) {
@@ -126,7 +132,8 @@ void clampNegative(std::vector<double>& candela, std::vector<std::string>& warni
         value = 0;
         ++count;
     }
-    if (count > 0) warnings.push_back(fmt::format("{} negative intensities (down to {:.6g} cd) set to 0", count, worst));
+    if (count > 0)
+        warnings.push_back(fmt::format("{} negative intensities (down to {:.6g} cd) set to 0", count, worst));
 }
 
 void warnIfSeamDiffers(const StoredPlanes& full, std::vector<std::string>& warnings) {
@@ -138,8 +145,10 @@ void warnIfSeamDiffers(const StoredPlanes& full, std::vector<std::string>& warni
         difference = std::max(difference, std::abs(full.candela[v] - full.candela[full.candela.size() - nV + v]));
     }
     if (difference > 1e-3 * largest) {
-        warnings.push_back(fmt::format("the planes at 0 and 360 degrees, one and the same, differ by up to {:.3g} cd "
-                                       "({:.1f} % of the maximum); both kept", difference, 100 * difference / largest));
+        warnings.push_back(
+            fmt::format("the planes at 0 and 360 degrees, one and the same, differ by up to {:.3g} cd "
+                        "({:.1f} % of the maximum); both kept",
+                        difference, 100 * difference / largest));
     }
 }
 

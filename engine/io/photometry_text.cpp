@@ -110,8 +110,9 @@ Result<std::string> decodeText(std::string_view bytes, const std::filesystem::pa
     const auto binary = std::find_if(text.begin(), text.end(), isBinary);
     if (binary != text.end()) {
         const auto line = static_cast<std::size_t>(std::count(text.begin(), binary, '\n')) + 1;
-        return errorAt(file, line, fmt::format("seen the byte 0x{:02x} at offset {}, expected text",
-                                               static_cast<unsigned char>(*binary), binary - text.begin()));
+        return errorAt(file, line,
+                       fmt::format("seen the byte 0x{:02x} at offset {}, expected text",
+                                   static_cast<unsigned char>(*binary), binary - text.begin()));
     }
     if (isUtf8(text)) return text;
     std::string converted;
@@ -168,7 +169,8 @@ std::string inQuotes(std::string_view text) {
     constexpr std::size_t kLongest = 40;
     std::string out = "\"";
     out += text.substr(0, kLongest);
-    std::replace_if(out.begin(), out.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
+    std::replace_if(
+        out.begin(), out.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
     return out + (text.size() > kLongest ? "...\"" : "\"");
 }
 

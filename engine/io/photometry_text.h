@@ -54,8 +54,12 @@ public:
     Result<std::size_t> count(std::string_view what, std::size_t most);
 
     [[nodiscard]] std::size_t remaining() const { return tokens_.size() - next_; }
-    [[nodiscard]] std::size_t line() const { return next_ > 0 ? tokens_[next_ - 1].line : firstLine_; }  ///< of the last number
-    [[nodiscard]] std::string_view peek() const { return next_ < tokens_.size() ? tokens_[next_].text : std::string_view{}; }
+    [[nodiscard]] std::size_t line() const {
+        return next_ > 0 ? tokens_[next_ - 1].line : firstLine_;
+    }  ///< of the last number
+    [[nodiscard]] std::string_view peek() const {
+        return next_ < tokens_.size() ? tokens_[next_].text : std::string_view{};
+    }
     [[nodiscard]] Error error(std::string message) const { return errorAt(file_, line(), std::move(message)); }
 
 private:

@@ -14,7 +14,8 @@ constexpr float kDegreesPerRadian = 180.0F / kPi;
 /// Directions are floats: one exactly on the last angle of a table may come out this far beyond it.
 constexpr float kAngleSlackDegrees = 1e-3F;
 
-/// atan2 to 2e-8 rad plus float rounding, about twice as fast as the library's.
+/// atan2 to 2e-8 rad plus float rounding. The choice of octant is arithmetic: directions come in no order, and
+/// a mispredicted branch costs more than the polynomial.
 /// source  Abramowitz & Stegun 4.4.49
 float fastAtan2(float y, float x) {
     const float ax = std::abs(x);
@@ -32,8 +33,8 @@ float fastAtan2(float y, float x) {
     p = p * s + 0.1999355085F;
     p = p * s - 0.3333314528F;
     float angle = t + t * s * p;
-    if (ay > ax) angle = 0.5F * kPi - angle;
-    if (x < 0) angle = kPi - angle;
+    angle += static_cast<float>(ay > ax) * (0.5F * kPi - 2 * angle);
+    angle += static_cast<float>(x < 0) * (kPi - 2 * angle);
     return std::copysign(angle, y);
 }
 
@@ -52,8 +53,9 @@ Result<void> checkAngles(const std::vector<double>& degrees, Range range, const 
                                                                  degrees[i], range.low, range.high)};
         }
         if (i > 0 && !(degrees[i] > degrees[i - 1])) {
-            return Error{ErrorCode::InvalidArgument, fmt::format("{} angle {} is {}, expected more than the one before, {}",
-                                                                 what, i, degrees[i], degrees[i - 1])};
+            return Error{ErrorCode::InvalidArgument,
+                         fmt::format("{} angle {} is {}, expected more than the one before, {}", what, i, degrees[i],
+                                     degrees[i - 1])};
         }
     }
     return {};
@@ -69,14 +71,14 @@ Result<void> checkExtent(PhotometryType type, const std::vector<double>& vertica
         const bool axial = horizontal.size() == 1 && horizontal.front() == 0;
         const bool full = horizontal.size() >= 2 && horizontal.front() == 0 && horizontal.back() == 360;
         if (!axial && !full) {
-            return Error{ErrorCode::InvalidArgument,
-                         fmt::format("{} horizontal angles from {} to {}, expected the single 0 or 0..360",
-                                     horizontal.size(), horizontal.empty() ? 0 : horizontal.front(),
-                                     horizontal.empty() ? 0 : horizontal.back())};
+            return Error{
+                ErrorCode::InvalidArgument,
+                fmt::format("{} horizontal angles from {} to {}, expected the single 0 or 0..360", horizontal.size(),
+                            horizontal.empty() ? 0 : horizontal.front(), horizontal.empty() ? 0 : horizontal.back())};
         }
     } else if (horizontal.size() < 2) {
-        return Error{ErrorCode::InvalidArgument, fmt::format("{} horizontal angle(s) in type A or B, expected at least 2",
-                                                             horizontal.size())};
+        return Error{ErrorCode::InvalidArgument,
+                     fmt::format("{} horizontal angle(s) in type A or B, expected at least 2", horizontal.size())};
     }
     return {};
 }
@@ -91,8 +93,9 @@ Result<void> checkCandela(const std::vector<double>& candela, std::size_t vertic
                                   [](double c) { return !(c >= 0 && c <= std::numeric_limits<float>::max()); });
     if (bad != candela.end()) {
         const auto i = static_cast<std::size_t>(bad - candela.begin());
-        return Error{ErrorCode::InvalidArgument, fmt::format("candela value {} of plane {} is {}, expected finite and >= 0",
-                                                             i % verticalCount, i / verticalCount, *bad)};
+        return Error{ErrorCode::InvalidArgument,
+                     fmt::format("candela value {} of plane {} is {}, expected finite and >= 0", i % verticalCount,
+                                 i / verticalCount, *bad)};
     }
     return {};
 }
@@ -127,11 +130,15 @@ Position locate(const std::vector<float>& degrees, float inverseStep, float angl
     const std::size_t lastCell = degrees.size() - 2;
     if (inverseStep > 0) {
         const float t = std::max((angle - degrees.front()) * inverseStep, 0.0F);
-        const auto index = std::min(static_cast<std::size_t>(t), lastCell);
+        const auto index = std::min(static_cast<std::size_t>(static_cast<int>(t)), lastCell);
         return {index, std::min(t - static_cast<float>(index), 1.0F)};
     }
-    const auto next = std::upper_bound(degrees.begin() + 1, degrees.end() - 1, angle);
-    const auto index = static_cast<std::size_t>(next - degrees.begin()) - 1;
+    std::size_t index = 0;  // binary search without branches; the last angle at or below `angle` is in [index, +count)
+    for (std::size_t count = lastCell + 1; count > 1;) {
+        const std::size_t half = count / 2;
+        index += static_cast<std::size_t>(degrees[index + half] <= angle) * half;
+        count -= half;
+    }
     const float t = (angle - degrees[index]) / (degrees[index + 1] - degrees[index]);
     return {index, std::clamp(t, 0.0F, 1.0F)};
 }
@@ -210,7 +217,7 @@ float CandelaTable::intensity(const Vec3& d) const {
             vertical = fastAtan2(std::sqrt(d.x * d.x + d.y * d.y), -d.z);
             if (horizontalAxis_.degrees.size() > 1) {
                 horizontal = fastAtan2(d.y, d.x);
-                if (horizontal < 0) horizontal += 2 * kPi;
+                horizontal += static_cast<float>(horizontal < 0) * 2 * kPi;
             }
             break;
         case PhotometryType::B:

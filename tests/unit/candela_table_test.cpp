@@ -1,6 +1,6 @@
 // CandelaTable: directions of types A, B and C, interpolation, closed-form flux, refusal of bad tables.
-#include "engine/core/rng.h"
 #include "engine/scene/candela_table.h"
+#include "engine/core/rng.h"
 
 #include <gtest/gtest.h>
 
@@ -173,14 +173,16 @@ TEST(CandelaTable, RefusesWhatIsNoTable) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(refusal(C, {}, {0}, {}), "0 vertical angle(s), expected at least 2");
     EXPECT_EQ(refusal(C, {0, 90}, {}, {}), "0 horizontal angles from 0 to 0, expected the single 0 or 0..360");
-    EXPECT_EQ(refusal(C, {0, 90}, {0, 90}, {1, 1, 1, 1}), "2 horizontal angles from 0 to 90, expected the single 0 or 0..360");
+    EXPECT_EQ(refusal(C, {0, 90}, {0, 90}, {1, 1, 1, 1}),
+              "2 horizontal angles from 0 to 90, expected the single 0 or 0..360");
     EXPECT_EQ(refusal(B, {0, 90}, {0}, {1, 1}), "1 horizontal angle(s) in type A or B, expected at least 2");
     EXPECT_EQ(refusal(C, {0, 190}, {0}, {1, 1}), "vertical angle 1 is 190, expected 0..180 degrees");
     EXPECT_EQ(refusal(C, {0, nan}, {0}, {1, 1}), "vertical angle 1 is nan, expected 0..180 degrees");
     EXPECT_EQ(refusal(C, {0, 50, 50}, {0}, {1, 1, 1}), "vertical angle 2 is 50, expected more than the one before, 50");
     EXPECT_EQ(refusal(C, {0, 90}, {0}, {1, 1, 1}), "3 candela values, expected 1 x 2");
     EXPECT_EQ(refusal(C, {0, 90}, {0}, {1, -2}), "candela value 1 of plane 0 is -2, expected finite and >= 0");
-    EXPECT_EQ(refusal(C, {0, 90}, {0, 360}, {1, 1, 1, inf}), "candela value 1 of plane 1 is inf, expected finite and >= 0");
+    EXPECT_EQ(refusal(C, {0, 90}, {0, 360}, {1, 1, 1, inf}),
+              "candela value 1 of plane 1 is inf, expected finite and >= 0");
 }
 
 }  // namespace

@@ -68,14 +68,13 @@ std::vector<double> from270To90() {
 
 INSTANTIATE_TEST_SUITE_P(
     All, LdtSymmetry,
-    testing::Values(
-        SymmetryCase{1, PhotometrySymmetry::Axial, {0}, [](double, double g) { return 100 + g; }},
-        SymmetryCase{2, PhotometrySymmetry::Bilateral0to180, steps(0, 180, 15),
-                     [](double c, double g) { return 500 + 300 * cosine(c) + g; }},
-        SymmetryCase{3, PhotometrySymmetry::Bilateral90to270, from270To90(),
-                     [](double c, double g) { return 500 + 300 * sine(c) + g; }},
-        SymmetryCase{4, PhotometrySymmetry::Quadrant, steps(0, 90, 15),
-                     [](double c, double g) { return 500 + 200 * cosine(2 * c) + g; }}));
+    testing::Values(SymmetryCase{1, PhotometrySymmetry::Axial, {0}, [](double, double g) { return 100 + g; }},
+                    SymmetryCase{2, PhotometrySymmetry::Bilateral0to180, steps(0, 180, 15),
+                                 [](double c, double g) { return 500 + 300 * cosine(c) + g; }},
+                    SymmetryCase{3, PhotometrySymmetry::Bilateral90to270, from270To90(),
+                                 [](double c, double g) { return 500 + 300 * sine(c) + g; }},
+                    SymmetryCase{4, PhotometrySymmetry::Quadrant, steps(0, 90, 15),
+                                 [](double c, double g) { return 500 + 200 * cosine(2 * c) + g; }}));
 
 TEST(Eulumdat, Symmetry3StartsAtC270) {
     // 1, 2, 3 in the order of the file are C270, C0 and C90; read from C90 the luminaire would face backwards.
@@ -147,7 +146,9 @@ TEST(Eulumdat, IntensitiesArePer1000LumensOfTheFirstLampSet) {
     EXPECT_FLOAT_EQ(p.table.intensity({0, 0, -1}), 100 * 3 * 0.5F);
     EXPECT_EQ(p.lamp, "First");
     EXPECT_EQ(p.watts, 70);
-    EXPECT_TRUE(mentions(p.repairs, "2 lamp sets, which are alternatives: the first, \"First\" (3000 lm), is used; not used: \"Second\" (9999 lm)"));
+    EXPECT_TRUE(mentions(p.repairs,
+                         "2 lamp sets, which are alternatives: the first, \"First\" (3000 lm), is used; not used: "
+                         "\"Second\" (9999 lm)"));
 }
 
 TEST(Eulumdat, DeclaredFluxDownwardShareAndReasons) {
@@ -158,7 +159,8 @@ TEST(Eulumdat, DeclaredFluxDownwardShareAndReasons) {
     EXPECT_FALSE(mentions(p.warnings, "flux:"));
     EXPECT_FALSE(mentions(p.warnings, "downward share"));
     file.downwardPercent = 80;
-    EXPECT_TRUE(mentions(read(file.text()).warnings, "downward share: 100.00 % from the intensities, 80.00 % in the header"));
+    EXPECT_TRUE(
+        mentions(read(file.text()).warnings, "downward share: 100.00 % from the intensities, 80.00 % in the header"));
     file.outputPercent = 62.83 / 0.8;
     EXPECT_TRUE(mentions(read(file.text()).warnings, "flux: only the lower hemisphere is stored"));
     file.outputPercent = 0;
@@ -185,15 +187,20 @@ TEST(Eulumdat, HeaderOfAProgramThatDropsThePlaneC180) {
     file.candelaPer1000lm = [](double c, double) { return 50 + c; };
     // Planes 50, 60 .. 220 without the last: mean 135 cd/klm against the true 140; 2 pi sr give 848.2 lm.
     file.outputPercent = 84.82;
-    EXPECT_TRUE(mentions(read(file.text()).warnings, "flux: the header's flux is a zonal sum that leaves out the last stored plane"));
+    EXPECT_TRUE(mentions(read(file.text()).warnings,
+                         "flux: the header's flux is a zonal sum that leaves out the last stored plane"));
 }
 
 TEST(Eulumdat, TextAndNumbersAsToolsWriteThem) {
     LdtFile file;
-    file.name = "Stra\xDF" "enleuchte";  // ISO-8859-1
+    file.name =
+        "Stra\xDF"
+        "enleuchte";  // ISO-8859-1
     file.candelaPer1000lm = [](double, double g) { return 100.5 - g; };
     const Photometry crlf = read(file.text());
-    EXPECT_EQ(crlf.name, "Stra\xC3\x9F" "enleuchte");
+    EXPECT_EQ(crlf.name,
+              "Stra\xC3\x9F"
+              "enleuchte");
     file.lineEnd = "\n";
     const std::string text = file.text();
     EXPECT_EQ(read(text).table.candela(), crlf.table.candela());
@@ -205,7 +212,8 @@ TEST(Eulumdat, TextAndNumbersAsToolsWriteThem) {
     EXPECT_TRUE(mentions(read(text + "7\n").repairs, "1 line(s) after the last intensity ignored"));
     EXPECT_DOUBLE_EQ(read(replaced(text, "Lamp\n1000\n", "Lamp\n10 080,5\n")).lumensDeclared, 10080.5);
     EXPECT_DOUBLE_EQ(read(replaced(text, "Lamp\n1000\n", "Lamp\n1.000,5\n")).lumensDeclared, 1000.5);
-    EXPECT_TRUE(mentions(read(replaced(text, "3000\n80\n50\n", "warm\n1B\n\n")).repairs, "the power of the lamps is \"\", taken as 0"));
+    EXPECT_TRUE(mentions(read(replaced(text, "3000\n80\n50\n", "warm\n1B\n\n")).repairs,
+                         "the power of the lamps is \"\", taken as 0"));
     EXPECT_TRUE(mentions(read(replaced(text, "\n1000\n", "\n0\n")).repairs, "lamp flux 0"));
     EXPECT_TRUE(mentions(read(replaced(text, "\n55.5\n", "\n-3\n")).warnings, "1 negative intensities"));
 }
@@ -231,7 +239,8 @@ TEST(Eulumdat, RefusesWithPlaceSeenAndExpected) {
               "test.ldt:29: seen \"nan\", expected the total flux of the lamps (a finite number)");
     EXPECT_EQ(refusal(replaced(text, "Maker\r\n1\r\n1\r\n1\r\n", "Maker\r\n1\r\n1\r\n99999\r\n")),
               "test.ldt:42: the file states 99999 C planes and 3 gamma angles; only 7 lines follow this one");
-    EXPECT_EQ(refusal(text.substr(0, text.size() - 5)), "test.ldt:46: 1 planes of 3 intensities take 3 lines after this one; seen 2");
+    EXPECT_EQ(refusal(text.substr(0, text.size() - 5)),
+              "test.ldt:46: 1 planes of 3 intensities take 3 lines after this one; seen 2");
     EXPECT_EQ(refusal(replaced(text, "100\r\n100\r\n100\r\n", "100\r\n\r\n100\r\n")),
               "test.ldt:48: seen \"\", expected an intensity (a finite number)");
     LdtFile file;

@@ -63,7 +63,9 @@ TEST_P(IesSymmetry, IsTheSameAsTheFullFile) {
 const Distribution kQuadrant = [](double c, double v) { return 500 + 200 * cosine(2 * c) + v * std::abs(sine(c)); };
 const Distribution kAbout0to180 = [](double c, double v) { return 500 + 300 * cosine(c) + v; };
 const Distribution kAbout90to270 = [](double c, double v) { return 500 + 300 * sine(c) + v; };
-const Distribution kNone = [](double c, double v) { return 500 + 200 * sine(c) + 100 * cosine(c) + 50 * sine(2 * c) + v; };
+const Distribution kNone = [](double c, double v) {
+    return 500 + 200 * sine(c) + 100 * cosine(c) + 50 * sine(2 * c) + v;
+};
 
 INSTANTIATE_TEST_SUITE_P(
     All, IesSymmetry,
@@ -147,7 +149,8 @@ TEST(Ies, BallastLampFactorMultipliesOnlyIn1986And1991) {
     EXPECT_FLOAT_EQ(nadir("IESNA:LM-63-1995"), 100 * 2 * 0.9F);
     EXPECT_FLOAT_EQ(nadir("  iesna:lm-63-2002"), 100 * 2 * 0.9F);
     EXPECT_FLOAT_EQ(nadir("IES:LM-63-2019"), 100 * 2 * 0.9F);
-    EXPECT_TRUE(mentions(read(replaced(file.text(), "IES:LM-63-2019", "IESNA:LM-63-2002")).warnings, "not multiplied in"));
+    EXPECT_TRUE(
+        mentions(read(replaced(file.text(), "IES:LM-63-2019", "IESNA:LM-63-2002")).warnings, "not multiplied in"));
 }
 
 TEST(Ies, DeclaredFluxAndItsReason) {
@@ -155,7 +158,8 @@ TEST(Ies, DeclaredFluxAndItsReason) {
     file.lumens = 1000;
     Photometry p = read(file.text());
     EXPECT_DOUBLE_EQ(p.lumensDeclared, 1000);
-    EXPECT_TRUE(mentions(p.warnings, "flux: light output ratio 0.628: lamps 1000 lm (1 x 1000 lm), luminaire 628.32 lm"));
+    EXPECT_TRUE(
+        mentions(p.warnings, "flux: light output ratio 0.628: lamps 1000 lm (1 x 1000 lm), luminaire 628.32 lm"));
     file.lamps = 2;
     file.lumens = 314.16;
     p = read(file.text());
@@ -205,26 +209,27 @@ constexpr auto k95 = "IESNA:LM-63-1995";
 constexpr auto k02 = "IESNA:LM-63-2002";
 INSTANTIATE_TEST_SUITE_P(
     All, IesOpenings,
-    testing::Values(OpeningCase{k02, 0, 0, 0, {OpeningShape::Point, 0, 0, 0}, nullptr},
-                    OpeningCase{k02, 0.3, 1.2, 0, {OpeningShape::Rectangle, 1.2, 0.3, 0}, nullptr},
-                    OpeningCase{k02, 0.3, 1.2, 0.1, {OpeningShape::Box, 1.2, 0.3, 0.1}, nullptr},
-                    OpeningCase{k02, 0, 1.2, 0, {OpeningShape::Rectangle, 1.2, 0.001, 0}, "given 1 mm"},
-                    OpeningCase{k86, -0.4, 0, 0, {OpeningShape::Disc, 0.4, 0.4, 0}, nullptr},
-                    OpeningCase{k86, -0.4, 0.9, 0, {OpeningShape::Disc, 0.6, 0.6, 0}, "ellipse"},
-                    OpeningCase{k86, -0.4, 0, 0.2, {OpeningShape::Cylinder, 0.4, 0.4, 0.2}, nullptr},
-                    OpeningCase{k86, -0.1, 0.1, 0.8, {OpeningShape::Sphere, 0.2, 0.2, 0.2}, "ellipsoid"},
-                    OpeningCase{k95, -0.4, 0, -0.4, {OpeningShape::Sphere, 0.4, 0.4, 0.4}, nullptr},
-                    OpeningCase{k95, -0.4, 0.9, 0.2, {OpeningShape::Cylinder, 0.6, 0.6, 0.2}, "elliptical cylinder"},
-                    OpeningCase{k95, 0, 1.2, -0.1, {OpeningShape::Box, 1.2, 0.1, 0.1}, "horizontal cylinder along 0-180"},
-                    OpeningCase{k95, 1.2, 0, -0.1, {OpeningShape::Box, 0.1, 1.2, 0.1}, "horizontal cylinder along 90-270"},
-                    OpeningCase{k02, -0.4, -0.4, 0, {OpeningShape::Disc, 0.4, 0.4, 0}, nullptr},
-                    OpeningCase{k02, -0.4, -0.9, 0, {OpeningShape::Disc, 0.6, 0.6, 0}, "ellipse"},
-                    OpeningCase{k02, -0.4, -0.4, 0.2, {OpeningShape::Cylinder, 0.4, 0.4, 0.2}, nullptr},
-                    OpeningCase{k02, -0.4, -0.4, -0.4, {OpeningShape::Sphere, 0.4, 0.4, 0.4}, nullptr},
-                    OpeningCase{k02, -0.1, -0.1, -0.8, {OpeningShape::Sphere, 0.2, 0.2, 0.2}, "ellipsoid"},
-                    OpeningCase{k02, -0.1, 1.2, -0.1, {OpeningShape::Box, 1.2, 0.1, 0.1}, "horizontal cylinder along 0-180"},
-                    OpeningCase{k02, -0.4, 0, -0.4, {OpeningShape::Box, 0.001, 0.4, 0.4}, "upright disc"},
-                    OpeningCase{k02, -0.4, 0, 0, {OpeningShape::Disc, 0.4, 0.4, 0}, nullptr}));
+    testing::Values(
+        OpeningCase{k02, 0, 0, 0, {OpeningShape::Point, 0, 0, 0}, nullptr},
+        OpeningCase{k02, 0.3, 1.2, 0, {OpeningShape::Rectangle, 1.2, 0.3, 0}, nullptr},
+        OpeningCase{k02, 0.3, 1.2, 0.1, {OpeningShape::Box, 1.2, 0.3, 0.1}, nullptr},
+        OpeningCase{k02, 0, 1.2, 0, {OpeningShape::Rectangle, 1.2, 0.001, 0}, "given 1 mm"},
+        OpeningCase{k86, -0.4, 0, 0, {OpeningShape::Disc, 0.4, 0.4, 0}, nullptr},
+        OpeningCase{k86, -0.4, 0.9, 0, {OpeningShape::Disc, 0.6, 0.6, 0}, "ellipse"},
+        OpeningCase{k86, -0.4, 0, 0.2, {OpeningShape::Cylinder, 0.4, 0.4, 0.2}, nullptr},
+        OpeningCase{k86, -0.1, 0.1, 0.8, {OpeningShape::Sphere, 0.2, 0.2, 0.2}, "ellipsoid"},
+        OpeningCase{k95, -0.4, 0, -0.4, {OpeningShape::Sphere, 0.4, 0.4, 0.4}, nullptr},
+        OpeningCase{k95, -0.4, 0.9, 0.2, {OpeningShape::Cylinder, 0.6, 0.6, 0.2}, "elliptical cylinder"},
+        OpeningCase{k95, 0, 1.2, -0.1, {OpeningShape::Box, 1.2, 0.1, 0.1}, "horizontal cylinder along 0-180"},
+        OpeningCase{k95, 1.2, 0, -0.1, {OpeningShape::Box, 0.1, 1.2, 0.1}, "horizontal cylinder along 90-270"},
+        OpeningCase{k02, -0.4, -0.4, 0, {OpeningShape::Disc, 0.4, 0.4, 0}, nullptr},
+        OpeningCase{k02, -0.4, -0.9, 0, {OpeningShape::Disc, 0.6, 0.6, 0}, "ellipse"},
+        OpeningCase{k02, -0.4, -0.4, 0.2, {OpeningShape::Cylinder, 0.4, 0.4, 0.2}, nullptr},
+        OpeningCase{k02, -0.4, -0.4, -0.4, {OpeningShape::Sphere, 0.4, 0.4, 0.4}, nullptr},
+        OpeningCase{k02, -0.1, -0.1, -0.8, {OpeningShape::Sphere, 0.2, 0.2, 0.2}, "ellipsoid"},
+        OpeningCase{k02, -0.1, 1.2, -0.1, {OpeningShape::Box, 1.2, 0.1, 0.1}, "horizontal cylinder along 0-180"},
+        OpeningCase{k02, -0.4, 0, -0.4, {OpeningShape::Box, 0.001, 0.4, 0.4}, "upright disc"},
+        OpeningCase{k02, -0.4, 0, 0, {OpeningShape::Disc, 0.4, 0.4, 0}, nullptr}));
 
 TEST(Ies, FeetBecomeMetresAndHugeOpeningsAreTold) {
     IesFile file;
@@ -339,13 +344,17 @@ TEST(Ies, RefusesWithPlaceSeenAndExpected) {
               "test.ies:6: the photometric type (1 = C, 2 = B, 3 = A) is 7, expected a whole number from 1 to 3");
     EXPECT_EQ(refusal(replaced(text, "1 1000 1 3 1 1 2", "1 1000 1 3.5 1 1 2")),
               "test.ies:6: the number of vertical angles is 3.5, expected a whole number from 1 to 100000");
-    EXPECT_EQ(refusal(replaced(text, "100 100 100", "100 100")),
-              "test.ies:7: the file states 3 vertical and 1 horizontal angles, which take 7 numbers after this line; seen 6");
+    EXPECT_EQ(
+        refusal(replaced(text, "100 100 100", "100 100")),
+        "test.ies:7: the file states 3 vertical and 1 horizontal angles, which take 7 numbers after this line; seen 6");
     EXPECT_THAT(refusal(replaced(text, "1 1000 1 3 1 1 2", "1 1000 1 100000 10000 1 2")),
                 HasSubstr("which take 1000110000 numbers after this line; seen 7"));
-    EXPECT_THAT(refusal(replaced(text, "1 1000 1 3 1 1 2", "1 1000 -1 3 1 1 2")), HasSubstr("candela multiplier is -1"));
-    EXPECT_THAT(refusal(replaced(text, "0 45 90", "0 50 45")), HasSubstr("test.ies:8: vertical angle 3 is 45, expected more"));
-    EXPECT_THAT(refusal(replaced(text, "0 45 90", "-90 0 90")), HasSubstr("expected 0..180 (types A and B have -90..90)"));
+    EXPECT_THAT(refusal(replaced(text, "1 1000 1 3 1 1 2", "1 1000 -1 3 1 1 2")),
+                HasSubstr("candela multiplier is -1"));
+    EXPECT_THAT(refusal(replaced(text, "0 45 90", "0 50 45")),
+                HasSubstr("test.ies:8: vertical angle 3 is 45, expected more"));
+    EXPECT_THAT(refusal(replaced(text, "0 45 90", "-90 0 90")),
+                HasSubstr("expected 0..180 (types A and B have -90..90)"));
     EXPECT_THAT(refusal(replaced(text, "1 1000 1 3 1 1 2", "1 1000 1 3 1 2 2")), HasSubstr("in type A or B"));
     IesFile file;
     file.horizontal = {45, 135};
@@ -374,7 +383,7 @@ TEST(Ies, SurvivesEveryTruncationAndManyMutations) {
     }
 }
 
-// Issue: every shared file gives lumens within 1 % of its header, or says why not.
+// Every shared file gives lumens within 1 % of its header, or says why not.
 TEST(SharedPhotometry, LumensAgreeWithTheHeaderOrAReasonIsNamed) {
     const std::filesystem::path folder = std::filesystem::path(LUXDECK_SOURCE_DIR) / "../shared/data/photometry";
     if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "no test data at " << folder;
@@ -393,10 +402,12 @@ TEST(SharedPhotometry, LumensAgreeWithTheHeaderOrAReasonIsNamed) {
         for (const auto& warning : p->warnings) {
             if (warning.starts_with("flux: ")) reason = warning.substr(6);
         }
-        std::cout << fmt::format("{:<44.44} {:>10.6g} {:>10.6g} {:>8}  {}\n", file.filename().string(), p->lumensDeclared,
-                                 p->table.lumens(), deviation < 1e8 ? fmt::format("{:+.2f}", 100 * deviation) : "-", reason);
+        std::cout << fmt::format("{:<44.44} {:>10.6g} {:>10.6g} {:>8}  {}\n", file.filename().string(),
+                                 p->lumensDeclared, p->table.lumens(),
+                                 deviation < 1e8 ? fmt::format("{:+.2f}", 100 * deviation) : "-", reason);
         EXPECT_GT(p->table.lumens(), 0) << file;
-        EXPECT_EQ(std::abs(deviation) <= 0.01, reason.empty()) << file << " deviates by " << deviation << ": " << reason;
+        EXPECT_EQ(std::abs(deviation) <= 0.01, reason.empty())
+            << file << " deviates by " << deviation << ": " << reason;
     }
 }
 
