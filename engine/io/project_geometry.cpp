@@ -95,15 +95,16 @@ void makeOneObject(ScenePart& part, const std::string& name, bool movable) {
 
 std::vector<GeometrySpec> readGeometry(const TomlTable& root, const std::filesystem::path& folder) {
     std::vector<GeometrySpec> geometry;
-    for (const auto& table : root.tables("geometry", kGeometry))
+    root.each("geometry", kGeometry, [&](const TomlTable& table) {
         geometry.push_back(readPlacedFile(table, folder, "translate", "rotate_z_deg"));
+    });
     return geometry;
 }
 
 std::vector<FurnitureSpec> readFurniture(const TomlTable& root, const std::filesystem::path& folder) {
     std::vector<FurnitureSpec> furniture;
     UniqueNames names;
-    for (const auto& table : root.tables("furniture", kFurniture)) {
+    root.each("furniture", kFurniture, [&](const TomlTable& table) {
         FurnitureSpec spec;
         spec.where = table.where();
         spec.movable = table.flag("movable", true);
@@ -120,7 +121,7 @@ std::vector<FurnitureSpec> readFurniture(const TomlTable& root, const std::files
             table.error(ErrorCode::Parse, "", "object or file is missing");
         }
         furniture.push_back(std::move(spec));
-    }
+    });
     return furniture;
 }
 

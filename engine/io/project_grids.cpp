@@ -19,20 +19,19 @@ constexpr int kMaxCount = static_cast<int>(kMaxGridPoints);
 constexpr TomlChoice<GridKind> kGridKinds[] = {{"planar", GridKind::Planar}, {"cylindrical", GridKind::Cylindrical}};
 
 /// The requirements that a grid names, by `requirement` or `requirements`.
-std::vector<Requirement> requirementsOf(const TomlTable& table, const std::vector<NamedRequirement>& known) {
+std::vector<Requirement> requirementsOf(const TomlTable& table, const std::vector<NamedRequirement>& known, const Ids& knownIds) {
     std::vector<Requirement> found;
     if (table.refuseBoth("requirement", "requirements")) return found;
     const bool one = table.has("requirement");
     const auto ids = one ? std::vector<std::string>{table.text("requirement")} : table.texts("requirements");
-    std::vector<std::string> knownIds;
-    for (const auto& r : known) knownIds.push_back(r.id);
     for (const auto& id : ids) {
-        const auto at = std::find(knownIds.begin(), knownIds.end(), id);
-        if (at != knownIds.end())
-            found.push_back(known[static_cast<std::size_t>(at - knownIds.begin())].requirement);
-        else
-            table.error(ErrorCode::InvalidArgument, one ? "requirement" : "requirements",
-                        fmt::format("{} is no [[requirement]]; {}", inQuotes(id), suggestion(id, knownIds)));
+        if (const auto index = knownIds.find(id)) {
+            found.push_back(known[*index].requirement);
+            continue;
+        }
+        table.error(ErrorCode::InvalidArgument, one ? "requirement" : "requirements",
+                    fmt::format("{} is no [[requirement]]; {}", inQuotes(id), suggestion(id, knownIds.names())));
+        break;
     }
     return found;
 }
@@ -82,7 +81,7 @@ void readDivision(const TomlTable& table, CalculationGrid& grid) {
 
 std::vector<NamedRequirement> readRequirements(const TomlTable& root, UniqueNames& ids) {
     std::vector<NamedRequirement> requirements;
-    for (const auto& table : root.tables("requirement", kRequirement)) {
+    root.each("requirement", kRequirement, [&](const TomlTable& table) {
         NamedRequirement named;
         named.id = table.text("id");
         ids.add(table, "id", named.id);
@@ -96,14 +95,16 @@ std::vector<NamedRequirement> readRequirements(const TomlTable& root, UniqueName
         if (!table.has("mean_lux") && !table.has("minimum_lux") && !table.has("uniformity"))
             table.error(ErrorCode::Parse, "", "requires nothing, expected mean_lux, minimum_lux or uniformity");
         requirements.push_back(std::move(named));
-    }
+    });
     return requirements;
 }
 
 std::vector<CalculationGrid> readGrids(const TomlTable& root, const std::vector<NamedRequirement>& requirements) {
     std::vector<CalculationGrid> grids;
+    Ids ids;
+    for (const auto& named : requirements) ids.add(named.id);
     UniqueNames names;
-    for (const auto& table : root.tables("grid", kGrid)) {
+    root.each("grid", kGrid, [&](const TomlTable& table) {
         CalculationGrid grid;
         grid.where = table.where();
         grid.name = table.text("name");
@@ -119,9 +120,9 @@ std::vector<CalculationGrid> readGrids(const TomlTable& root, const std::vector<
             if (table.has("u") && table.has("v")) checkArea(table, grid);
             readDivision(table, grid);
         }
-        grid.requirements = requirementsOf(table, requirements);
+        grid.requirements = requirementsOf(table, requirements, ids);
         grids.push_back(std::move(grid));
-    }
+    });
     return grids;
 }
 

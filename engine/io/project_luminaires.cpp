@@ -19,17 +19,13 @@ constexpr NumberRange kKelvin{.low = kLowestColourTemperatureK, .high = kHighest
 constexpr NumberRange kMaintenance{.low = 0, .high = 1, .lowExcluded = true};
 constexpr NumberRange kTurn{.low = -3600, .high = 3600};
 
-std::optional<std::size_t> typeIndex(const TomlTable& table, const std::vector<LuminaireTypeSpec>& types) {
+std::size_t readType(const TomlTable& table, const Ids& ids) {
     const auto id = table.text("type");
-    std::vector<std::string> known;
-    for (std::size_t i = 0; i < types.size(); ++i) {
-        if (types[i].id == id) return i;
-        known.push_back(types[i].id);
-    }
-    if (!id.empty())
+    const auto index = ids.find(id);
+    if (!index && !id.empty())
         table.error(ErrorCode::InvalidArgument, "type",
-                    fmt::format("type {} is no [[luminaire_type]]; {}", inQuotes(id), suggestion(id, known)));
-    return std::nullopt;
+                    fmt::format("type {} is no [[luminaire_type]]; {}", inQuotes(id), suggestion(id, ids.names())));
+    return index.value_or(0);
 }
 
 void readArray(const TomlTable& table, LuminaireSpec& spec) {
@@ -55,7 +51,7 @@ void warnOfUnusedTypes(const TomlTable& root, const std::vector<LuminaireTypeSpe
     std::set<std::size_t> used;
     for (const auto& luminaire : luminaires) used.insert(luminaire.type);
     const auto tables = root.tables("luminaire_type", kLuminaireType);
-    for (std::size_t i = 0; i < tables.size(); ++i)
+    for (std::size_t i = 0; i < types.size(); ++i)  // fewer than tables after an error
         if (!used.contains(i)) tables[i].warn("id", fmt::format("no luminaire is of type {}", inQuotes(types[i].id)));
 }
 
@@ -108,7 +104,7 @@ void warnOfStrays(Scene& scene, const Box3& model, std::size_t firstPlaced) {
 std::vector<LuminaireTypeSpec> readLuminaireTypes(const TomlTable& root, const std::filesystem::path& folder) {
     std::vector<LuminaireTypeSpec> types;
     UniqueNames ids;
-    for (const auto& table : root.tables("luminaire_type", kLuminaireType)) {
+    root.each("luminaire_type", kLuminaireType, [&](const TomlTable& table) {
         LuminaireTypeSpec type;
         type.id = table.text("id");
         ids.add(table, "id", type.id);
@@ -119,18 +115,20 @@ std::vector<LuminaireTypeSpec> readLuminaireTypes(const TomlTable& root, const s
         type.maintenanceFactor = table.number("maintenance_factor", kMaintenance, 1.0);
         if (const auto kelvin = table.numberIf("colour_temperature_k", kKelvin)) type.colour = daylightColour(*kelvin);
         types.push_back(std::move(type));
-    }
+    });
     return types;
 }
 
 std::vector<LuminaireSpec> readLuminaires(const TomlTable& root, const std::vector<LuminaireTypeSpec>& types) {
     std::vector<LuminaireSpec> luminaires;
+    Ids ids;
+    for (const auto& type : types) ids.add(type.id);
     UniqueNames names;
     std::size_t count = 0;
-    for (const auto& table : root.tables("luminaire", kLuminaire)) {
+    root.each("luminaire", kLuminaire, [&](const TomlTable& table) {
         LuminaireSpec spec;
         spec.where = table.where();
-        spec.type = typeIndex(table, types).value_or(types.size());
+        spec.type = readType(table, ids);
         spec.name = table.text("name", "");
         if (!spec.name.empty()) names.add(table, "name", spec.name);
         spec.position = table.vector("position");
@@ -142,13 +140,11 @@ std::vector<LuminaireSpec> readLuminaires(const TomlTable& root, const std::vect
         spec.maintenanceFactor = table.numberIf("maintenance_factor", kMaintenance);
         readArray(table, spec);
         count += total(spec);
-        if (count > kMaxLuminaires) {
+        if (count > kMaxLuminaires)
             table.error(ErrorCode::InvalidArgument, "array",
                         fmt::format("with this there are {} luminaires, expected at most {}", count, kMaxLuminaires));
-            break;
-        }
         luminaires.push_back(std::move(spec));
-    }
+    });
     warnOfUnusedTypes(root, types, luminaires);
     return luminaires;
 }

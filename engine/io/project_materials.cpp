@@ -94,7 +94,7 @@ std::vector<std::string> materialNames(const Scene& scene) {
 std::vector<MaterialSpec> readMaterials(const TomlTable& root) {
     std::vector<MaterialSpec> materials;
     UniqueNames names;
-    for (const auto& table : root.tables("material", kMaterial)) {
+    root.each("material", kMaterial, [&](const TomlTable& table) {
         Material m;
         m.name = table.text("name");
         names.add(table, "name", m.name);
@@ -112,7 +112,7 @@ std::vector<MaterialSpec> readMaterials(const TomlTable& root) {
         m.emission = table.colour("emission_cd_m2", kEmission, Rgb{});
         m.source = table.text("source", "");
         materials.push_back({std::move(m), table.where("name")});
-    }
+    });
     return materials;
 }
 

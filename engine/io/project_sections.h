@@ -86,6 +86,24 @@ struct ProjectSpec {
     std::vector<HolodeckSection> holodeckSections;
 };
 
+/// What others refer to by id, in the order of a vector beside it.
+class Ids {
+public:
+    void add(const std::string& id) {
+        index_.emplace(id, names_.size());
+        names_.push_back(id);
+    }
+    [[nodiscard]] std::optional<std::size_t> find(const std::string& id) const {
+        const auto at = index_.find(id);
+        return at != index_.end() ? std::optional(at->second) : std::nullopt;
+    }
+    [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+
+private:
+    std::map<std::string, std::size_t> index_;
+    std::vector<std::string> names_;
+};
+
 /// Refuses a name that was there before, in file order.
 class UniqueNames {
 public:

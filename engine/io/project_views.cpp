@@ -58,7 +58,7 @@ std::string uniqueName(std::set<std::string>& taken, const std::string& wanted) 
 std::vector<View> readViews(const TomlTable& root) {
     std::vector<View> views;
     UniqueNames names;
-    for (const auto& table : root.tables("view", kView)) {
+    root.each("view", kView, [&](const TomlTable& table) {
         View view;
         view.where = table.where();
         view.name = table.text("name");
@@ -76,14 +76,14 @@ std::vector<View> readViews(const TomlTable& root) {
         const auto size = table.integers<2>("size", 1, kMaxPictureSide, standard);
         view.width = size[0], view.height = size[1];
         views.push_back(std::move(view));
-    }
+    });
     return views;
 }
 
 std::vector<VolumeSpec> readVolumes(const TomlTable& root) {
     std::vector<VolumeSpec> volumes;
     UniqueNames names;
-    for (const auto& table : root.tables("volume", kVolume)) {
+    root.each("volume", kVolume, [&](const TomlTable& table) {
         VolumeSpec volume;
         volume.where = table.where();
         volume.name = table.text("name");
@@ -98,14 +98,14 @@ std::vector<VolumeSpec> readVolumes(const TomlTable& root) {
         volume.secondLevel = table.integer("second_level", 1, 32, volume.secondLevel);
         volume.bins = table.integer("bins", 2, 128, volume.bins);
         volumes.push_back(std::move(volume));
-    }
+    });
     return volumes;
 }
 
 std::vector<HolodeckSection> readHolodeckSections(const TomlTable& root) {
     std::vector<HolodeckSection> sections;
     UniqueNames names;
-    for (const auto& table : root.tables("holodeck_section", kHolodeck)) {
+    root.each("holodeck_section", kHolodeck, [&](const TomlTable& table) {
         HolodeckSection section;
         section.where = table.where();
         section.name = table.text("name");
@@ -120,7 +120,7 @@ std::vector<HolodeckSection> readHolodeckSections(const TomlTable& root) {
             table.error(ErrorCode::InvalidArgument, "axes", "axes span no volume, expected three edges out of one plane");
         section.grid = table.integers<3>("grid", 1, 64, section.grid);
         sections.push_back(std::move(section));
-    }
+    });
     return sections;
 }
 

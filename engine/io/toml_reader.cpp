@@ -1,5 +1,7 @@
 #include "engine/io/toml_reader.h"
 
+#include "engine/io/toml_depth.h"
+
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
@@ -15,6 +17,8 @@ struct TomlSource {
 };
 
 namespace {
+
+constexpr int kMaxKeyParts = 64;
 
 const toml::table& asTable(const void* node) { return *static_cast<const toml::table*>(node); }
 
@@ -85,6 +89,10 @@ std::string NumberRange::text() const {
 TomlTable::TomlTable(const void* node, const TomlSection& section, const TomlSource& source)
     : node_(node), section_(&section), source_(&source) {
     refuseUnknownKeys();
+}
+
+bool TomlTable::isPastFirstError() const {
+    return source_->diagnostics->hasErrorBefore(source_->file, lineOf(asTable(node_)));
 }
 
 void TomlTable::refuseUnknownKeys() const {
@@ -312,6 +320,9 @@ std::optional<TomlTable> TomlTable::table(std::string_view key, const TomlSectio
 
 Result<TomlDocument> TomlDocument::parse(std::string_view bytes, const std::string& name, Diagnostics& diagnostics) {
     TomlDocument document;
+    if (const auto line = lineOfDeepKey(bytes, kMaxKeyParts))
+        return Error{ErrorCode::Parse, fmt::format("a key of more than {} parts, expected names without dots", kMaxKeyParts),
+                     fmt::format("{}:{}", name, *line)};
     document.source_ = std::make_shared<TomlSource>(TomlSource{name, &diagnostics});
     try {
         auto tree = std::make_shared<toml::table>(toml::parse(bytes, std::string_view(name)));

@@ -22,6 +22,10 @@ namespace luxdeck {
 class Diagnostics {
 public:
     void error(ErrorCode code, const std::string& file, int line, std::string message);
+    /// Whether an error is known in this file above this line.
+    [[nodiscard]] bool hasErrorBefore(const std::string& file, int line) const {
+        return first_.has_value() && file == file_ && line_ < line;
+    }
     void warn(std::string text) { warnings_.push_back(std::move(text)); }
 
     [[nodiscard]] const std::optional<Error>& first() const { return first_; }
@@ -122,6 +126,16 @@ public:
         return fallback;
     }
 
+    /// Calls read(table) for the tables of [[key]] in file order. It stops at the first error: no later table could
+    /// have an earlier one, and a million bad tables are not worth a million messages.
+    template <class Read>
+    void each(std::string_view key, const TomlSection& section, const Read& read) const {
+        for (const auto& table : tables(key, section)) {
+            if (table.isPastFirstError()) return;
+            read(table);
+        }
+    }
+
     /// The tables of [[key]], or none; the table of [key] or key = { }. Unknown keys in them are errors.
     [[nodiscard]] std::vector<TomlTable> tables(std::string_view key, const TomlSection& section) const;
     [[nodiscard]] std::optional<TomlTable> table(std::string_view key, const TomlSection& section) const;
@@ -134,6 +148,7 @@ private:
     TomlTable(const void* node, const TomlSection& section, const TomlSource& source);
 
     void refuseUnknownKeys() const;
+    [[nodiscard]] bool isPastFirstError() const;
     void refuseChoice(std::string_view key, const std::string& seen, const std::vector<std::string>& names, ErrorCode code) const;
     void wrongType(std::string_view key, const std::string& expected) const;
     [[nodiscard]] bool require(std::string_view key) const;
