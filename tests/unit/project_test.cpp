@@ -723,9 +723,8 @@ TEST(DaylightColour, TurnsFromRedToBlueWithoutSteps) {
 }
 
 TEST(DaylightColour, IncandescentLightHasItsKnownChromaticity) {
-    // CIE illuminant A (2856 K), xy 0.4476, 0.4074: linear Rec.709 about D65 is 1.823, 0.862, 0.142 in units of Y... derived
-    // below instead of trusted: x = X / (X + Y + Z) of the colour must give the chromaticity back. The fit of the locus is
-    // good to 0.001; the white at 6500 K differs from D65 by 0.0005.
+    // CIE illuminant A (2856 K) has xy 0.4476, 0.4074. The fit of the locus is good to 0.001; white at 6500 K differs
+    // from D65 by 0.0005; the matrix below has four digits.
     const auto c = daylightColour(2856);
     const double x = 0.4124 * c.r + 0.3576 * c.g + 0.1805 * c.b;
     const double y = 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
