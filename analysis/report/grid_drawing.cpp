@@ -72,12 +72,19 @@ int stepFor(QPointF step, const LabelBox& box, int most) {
     return k;
 }
 
+/// The room the widest of the values takes, with the gap to its neighbours.
+LabelBox widestLabel(const Drawing& d, const TextStyle& style) {
+    QString longest;
+    for (const double v : d.values)
+        if (const auto text = line(formatGridLux(v)); text.size() > longest.size()) longest = text;
+    return {{}, d.canvas.textWidth(longest, style) + 1.4, Canvas::lineHeight(style)};
+}
+
 TextStyle valueStyle(const Drawing& d, QPointF stepU, QPointF stepV) {
     // As large as the cells allow between 5.6 pt (still read on paper) and 8 pt.
     TextStyle style{8, QFont::Medium, ink::kBlack, Align::Centre};
-    const auto widest = line(formatGridLux(*std::max_element(d.values.begin(), d.values.end())));
     while (style.sizePt > 5.6) {
-        const LabelBox box{{}, d.canvas.textWidth(widest, style) + 1.4, Canvas::lineHeight(style)};
+        const auto box = widestLabel(d, style);
         if (stepFor(stepU, box, 2) == 1 && stepFor(stepV, box, 2) == 1) break;
         style.sizePt -= 0.3;
     }
@@ -87,9 +94,7 @@ TextStyle valueStyle(const Drawing& d, QPointF stepU, QPointF stepV) {
 std::pair<int, int> drawValues(Drawing& d) {
     const QPointF stepU = d.at(1, 0) - d.at(0, 0), stepV = d.at(0, 1) - d.at(0, 0);
     const auto style = valueStyle(d, stepU, stepV);
-    double widest = 0;
-    for (const double v : d.values) widest = std::max(widest, d.canvas.textWidth(line(formatGridLux(v)), style));
-    const LabelBox box{{}, widest + 1.4, Canvas::lineHeight(style)};
+    const auto box = widestLabel(d, style);
     const int everyU = stepFor(stepU, box, d.grid.columns), everyV = stepFor(stepV, box, d.grid.rows);
     // Start so that what is left over is shared by both ends.
     const int firstU = (d.grid.columns - 1) % everyU / 2, firstV = (d.grid.rows - 1) % everyV / 2;
@@ -102,9 +107,10 @@ std::pair<int, int> drawValues(Drawing& d) {
             const auto text = line(formatGridLux(d.values[index]));
             const double w = d.canvas.textWidth(text, style) + 0.7, h = Canvas::capHeight(style) + 0.7;
             // A patch of the field's own colour keeps the lines of luminaires and furniture off the digits.
-            d.canvas.fillRect({at.x() - w / 2, at.y() - h / 2, w, h}, fieldColour(d.range.fraction(d.values[index])));
+            const double fraction = d.range.fraction(d.values[index]);
+            d.canvas.fillRect({at.x() - w / 2, at.y() - h / 2, w, h}, fieldColour(fraction));
             d.canvas.text(at.x(), at.y() + Canvas::capHeight(style) / 2, buried ? "(" + text + ")" : text,
-                          buried ? style.with(ink::kGrey) : style);
+                          style.with(fieldInk(fraction)));
             d.labels.push_back({at, d.canvas.textWidth(text, style), Canvas::capHeight(style)});
         }
     return {everyU, everyV};
@@ -150,14 +156,16 @@ struct PlacedLine {
 std::vector<PlacedLine> drawIsolines(Drawing& d) {
     std::vector<PlacedLine> placed;
     if (d.grid.columns < 2 || d.grid.rows < 2) return placed;
-    const auto [low, high] = std::minmax_element(d.values.begin(), d.values.end());
-    const auto levels = isolineLevels(*low, *high);
+    double low = 1e300, high = -1e300;
+    for (const double v : d.values)
+        if (std::isfinite(v)) low = std::min(low, v), high = std::max(high, v);
+    const auto levels = isolineLevels(low, high);
     for (const auto& isoline : tonemap::isolines(d.values, d.grid.columns, d.grid.rows, levels)) {
         QPolygonF path;
         for (const auto& p : isoline.points) path << d.at(p[0], p[1]);
         if (isoline.closed && !path.isEmpty()) path << path.first();
         if (path.size() < 2) continue;
-        d.canvas.polyline(path, ink::kBlack, 0.22);
+        d.canvas.polyline(path, fieldInk(d.range.fraction(isoline.level)), 0.22);
         placed.push_back({path, isoline.level});
     }
     return placed;

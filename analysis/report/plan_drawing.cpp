@@ -65,7 +65,7 @@ void drawLuminaire(Canvas& canvas, const PlanScale& scale, const PlanLuminaire& 
         canvas.fill(box, tint);
         canvas.polyline(box, ink::kAccent, style.luminaireMm);
     }
-    if (style.luminaireIds) canvas.text(centre.x() + 1.1, centre.y() - 1.1, line(luminaire.id), {5.5, QFont::DemiBold, ink::kAccent});
+    if (style.luminaireIds) canvas.text(centre.x() + 1.1, centre.y() - 1.7, line(luminaire.id), {5.5, QFont::DemiBold, ink::kAccent});
 }
 
 }  // namespace
@@ -115,7 +115,9 @@ void drawKeyPlan(Canvas& canvas, const QRectF& area, const RoomPlan& plan, const
     for (const auto& p : grid.points) bounds.add({p.position.x, p.position.y});
     if (bounds.empty()) return;
     bounds.grow(0.02 * std::max(bounds.width(), bounds.height()) + 1e-3);
-    const PlanScale scale(bounds, area);
+    auto drawn = area;
+    drawn.setHeight(std::min(area.height(), area.width() * bounds.height() / bounds.width()));
+    const PlanScale scale(bounds, drawn);
     QPolygonF surface;
     for (const auto& c : corners) surface << scale.at({c.x, c.y});
     if (!surface.isEmpty()) {

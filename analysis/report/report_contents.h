@@ -34,8 +34,10 @@ struct MaterialRow {
     std::string source;              // where the number is from
 };
 
-/// The colours of a false-colour picture, from the darkest to the brightest value.
+/// The colours of a false-colour picture, from the darkest to the brightest value. The report prints the legend:
+/// the picture itself should have none.
 struct ColourScale {
+    std::string map = "dusk";        // as tonemap::colourMapNamed() knows it
     std::string unit;                // "cd/m²"
     double minimum = 0;
     double maximum = 0;

@@ -114,8 +114,11 @@ std::vector<NamedText> machineFacts() {
 }  // namespace
 
 std::optional<double> floorArea(const Scene& scene) {
-    double up = 0, down = 0;
-    bool found = false;
+    struct Level {
+        double up = 0, down = 0;  // area of the faces that look either way [m^2]
+        [[nodiscard]] double area() const { return std::max(up, down); }  // a sheet may be there twice
+    };
+    std::map<long, Level> levels;  // by height in centimetres
     for (const auto& mesh : scene.meshes) {
         const bool named = mesh.object < scene.objects.size() && isFloor(scene.objects[mesh.object].name);
         if (!named && !isFloor(mesh.name)) continue;
@@ -123,12 +126,17 @@ std::optional<double> floorArea(const Scene& scene) {
             const Vec3d a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
             const Vec3d twice = (b - a).cross(c - a);
             if (std::abs(twice.z) < 0.98 * twice.length()) continue;
-            (twice.z > 0 ? up : down) += std::abs(twice.z) / 2;
-            found = true;
+            auto& level = levels[std::lround(a.z * 100)];
+            (twice.z > 0 ? level.up : level.down) += std::abs(twice.z) / 2;
         }
     }
-    if (!found) return std::nullopt;
-    return std::max(up, down);  // a slab has an underside of the same area; a sheet may face either way
+    double area = 0;
+    for (const auto& [height, level] : levels) area += level.area();
+    if (area <= 0) return std::nullopt;
+    // The underside of slabs is as large as all their upper sides; windings are not to be trusted with telling.
+    const double lowest = levels.begin()->second.area();
+    const bool underside = levels.size() > 1 && std::abs(2 * lowest - area) < 0.01 * area;
+    return underside ? area - lowest : area;
 }
 
 ReportContents gatherReport(const Project& project, SolveResult solve, std::string created) {

@@ -1,7 +1,7 @@
 #include "analysis/report/value_field.h"
 
 #include "analysis/report/number_format.h"
-#include "tonemap/falsecolor.h"
+#include "tonemap/colour_map.h"
 #include "tonemap/isolines.h"
 
 #include <algorithm>
@@ -62,9 +62,15 @@ std::vector<double> isolineLevels(double low, double high) {
 }
 
 QColor fieldColour(double fraction) {
-    const auto rgb = falseColour(std::clamp(fraction, 0.0, 1.0));
-    const auto paler = [](double channel) { return static_cast<int>(std::lround(channel * 0.72 + 255 * 0.28)); };
-    return {paler(rgb[0]), paler(rgb[1]), paler(rgb[2])};
+    if (std::isnan(fraction)) return ink::kPale;
+    const auto c = tonemap::colourAt(tonemap::ColourMap::Dusk, std::clamp(fraction, 0.0, 1.0));
+    const auto paler = [](int channel) { return static_cast<int>(std::lround(channel * 0.68 + 255 * 0.32)); };
+    return {paler(c[0]), paler(c[1]), paler(c[2])};
+}
+
+QColor fieldInk(double fraction) {
+    const auto c = fieldColour(fraction);
+    return 0.2126 * c.redF() + 0.7152 * c.greenF() + 0.0722 * c.blueF() > 0.5 ? ink::kBlack : ink::kWhite;
 }
 
 QImage fieldImage(const std::vector<double>& values, int columns, int rows, const ValueRange& range) {

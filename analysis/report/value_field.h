@@ -23,8 +23,11 @@ ValueRange roundRange(const std::vector<double>& values);
 /// 1000 ...), or evenly spaced round ones where the series would give fewer than three.
 std::vector<double> isolineLevels(double low, double high);
 
-/// The colour of a fraction 0..1 of a scale, a little paler than on screens so that black text reads on it.
+/// The colour of a fraction 0..1 of a scale, a little paler than on screens: paper is darker.
 QColor fieldColour(double fraction);
+
+/// Black or white, whichever reads better on fieldColour(fraction).
+QColor fieldInk(double fraction);
 
 /// A grid's values as smooth colours: columns along x, rows downwards from the first; values lie at the
 /// centres of cells and are interpolated bilinearly between them, constant outside the outer ones.

@@ -1,7 +1,7 @@
 #include "analysis/report/views_page.h"
 
 #include "analysis/report/number_format.h"
-#include "tonemap/falsecolor.h"
+#include "tonemap/colour_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +26,10 @@ void drawScale(Canvas& canvas, double y, const ColourScale& scale) {
     constexpr int kSteps = 256;
     const double width = 92, height = 3;
     QImage bar(kSteps, 1, QImage::Format_RGB32);
+    const auto map = tonemap::colourMapNamed(scale.map);
     for (int i = 0; i < kSteps; ++i) {
-        const auto rgb = falseColour((i + 0.5) / kSteps);
-        bar.setPixel(i, 0, qRgb(rgb[0], rgb[1], rgb[2]));
+        const auto c = tonemap::colourAt(map ? *map : tonemap::ColourMap::Dusk, (i + 0.5) / kSteps);
+        bar.setPixel(i, 0, qRgb(c[0], c[1], c[2]));
     }
     canvas.image({sheet::kLeft, y}, {width, 0}, {0, height}, bar, false);
     const TextStyle label{6.5, QFont::Normal, ink::kGrey, Align::Centre};

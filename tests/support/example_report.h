@@ -2,6 +2,7 @@
 
 #include "analysis/report/report_contents.h"
 #include "engine/core/rng.h"
+#include "tonemap/colour_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -114,9 +115,9 @@ inline RoomPlan officePlan() {
     return plan;
 }
 
-/// A picture of the empty office: a box seen from a corner, lit as the grids are. brightness: of white, in cd/m^2.
-inline std::string officePicture(int width, int height, double brightness, bool warm) {
-    DisplayImage image{width, height, {}, {}};
+/// Luminance of the empty office, a box seen from a corner and lit as the grids are [cd/m^2], rows from the top.
+inline std::vector<double> officeLuminance(int width, int height) {
+    std::vector<double> out;
     const Vec3d eye(0.6, 5.5, 1.6), forward = Vec3d(0.8, -0.58, -0.06).normalized(), right = forward.cross(Vec3d(0, 0, 1)).normalized(),
                 up = right.cross(forward), size(kLength, kDepth, kHeight);
     for (int j = 0; j < height; ++j)
@@ -130,16 +131,29 @@ inline std::string officePicture(int width, int height, double brightness, bool 
             Vec3d n(0, 0, 0);
             n[axis] = d[axis] > 0 ? -1 : 1;
             double luminance = (directLux(p, n) + 110) * (axis != 2 ? 0.6 : d.z > 0 ? 0.8 : 0.3) / kPiD;
-            const bool window = axis == 1 && d.y < 0 && p.z > 0.9 && p.z < 2.5 && std::abs(std::fmod(p.x, 3) - 1.5) < 1.1;
-            bool lamp = false;
-            for (const auto& l : luminairePositions()) lamp = lamp || (axis == 2 && d.z > 0 && std::abs(p.x - l.x) < 0.6 && std::abs(p.y - l.y) < 0.08);
-            if (window) luminance = 30;
-            if (lamp) luminance = 9000;
-            const double v = std::pow(std::min(1.0, luminance / brightness), 1 / 2.2) * 255;
-            image.rgb.push_back(static_cast<std::uint8_t>(window ? v * 0.8 : v));
-            image.rgb.push_back(static_cast<std::uint8_t>(warm && !window ? v * 0.96 : v));
-            image.rgb.push_back(static_cast<std::uint8_t>(warm && !window ? v * 0.88 : v));
+            if (axis == 1 && d.y < 0 && p.z > 0.9 && p.z < 2.5 && std::abs(std::fmod(p.x, 3) - 1.5) < 1.1) luminance = 12;
+            for (const auto& l : luminairePositions())
+                if (axis == 2 && d.z > 0 && std::abs(p.x - l.x) < 0.6 && std::abs(p.y - l.y) < 0.08) luminance = 9000;
+            out.push_back(luminance);
         }
+    return out;
+}
+
+/// The office through a plain power curve; white: in cd/m^2; blue: of white's, less is warmer.
+inline std::string officePicture(int width, int height, double white, double blue) {
+    DisplayImage image{width, height, {}, {}};
+    for (const double l : officeLuminance(width, height)) {
+        const double v = std::pow(std::min(1.0, l / white), 1 / 2.2) * 255;
+        for (const double tint : {1.0, (1 + blue) / 2, blue}) image.rgb.push_back(static_cast<std::uint8_t>(v * tint));
+    }
+    return pngBytes(image).value();
+}
+
+/// The office's luminance in false colours, 1 to 10 000 cd/m^2.
+inline std::string officeFalseColour(int width, int height) {
+    DisplayImage image{width, height, {}, {}};
+    for (const double l : officeLuminance(width, height))
+        for (const auto channel : tonemap::colourAt(tonemap::ColourMap::Dusk, std::log10(std::max(l, 1.0)) / 4)) image.rgb.push_back(channel);
     return pngBytes(image).value();
 }
 
@@ -187,9 +201,9 @@ inline ReportContents office() {
                    {"Carpet", "matte", 0.3, "measured on site"}, {"Window pane", "glass", 0.72, "manufacturer's sheet, double glazing"}};
     c.plan = officePlan();
     c.solve = officeSolve();
-    c.views = {{"From the door", "human", "Adaptation of a normal eye: what is visible in the room is visible in the picture.", "world adaptation 118 cd/m²", 12.4, 0.021, officePicture(960, 600, 330, true), {}},
-               {"From the door, as a camera sees it", "camera", "One exposure for the whole picture, film curve in the highlights.", "1/30 s at f/5.6, ISO 200", 12.4, 0.021, officePicture(960, 600, 620, false), {}},
-               {"Luminance from the door", "false colour", "Luminance, not passed through any tone curve.", "", 12.4, 0.021, officePicture(960, 600, 500, false), ColourScale{"cd/m²", 1, 10000, true}}};
+    c.views = {{"From the door", "human", "Adaptation of a normal eye: what is visible in the room is visible in the picture.", "world adaptation 118 cd/m²", 12.4, 0.021, officePicture(720, 450, 330, 0.88), {}},
+               {"From the door, as a camera sees it", "camera", "One exposure for the whole picture, film curve in the highlights.", "1/30 s at f/5.6, ISO 200", 12.4, 0.021, officePicture(720, 450, 620, 1), {}},
+               {"Luminance from the door", "false colour", "Luminance, not passed through any tone curve.", "", 12.4, 0.021, officeFalseColour(720, 450), ColourScale{"dusk", "cd/m²", 1, 10000, true}}};
     c.methodText = "Light is followed backwards from each point of a calculation surface along random paths until it meets a luminaire. "
                    "The mean over many paths tends to the exact solution of the model; their spread gives the interval.";
     c.facts = {{"Machine", "Example CPU, 2 logical cores"}, {"Operating system", "Linux 6.1.0 x86_64"}, {"Project file", "project.toml"}};
