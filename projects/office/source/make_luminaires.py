@@ -139,7 +139,7 @@ def write_pendant():
 def write_downlight():
     v = steps(0, 90, 2.5)
     table = sampled(downlight, v, [0.0], 950, copies=1)
-    write("c_downlight.ies", ies_text("Downlight 200, reflector, 70 degrees", "LXD-C", -1, 8,
+    write("c_downlight.ies", ies_text("Downlight 200, reflector, 70 degrees", "LXD-C", 950, 8,
                                       "-0.2 -0.2 0", v, [0.0], table))
 
 

@@ -13,6 +13,7 @@ import tomllib
 import furniture as f
 import plants
 import room
+import seating
 from glb import GlbFile
 from luminaire_bodies import BODIES
 
@@ -70,7 +71,7 @@ def furnish_benches(glb):
     """Face-to-face benches across the window wall; each workplace has a user's own mixture of things."""
     n, dice = Counter(glb), random.Random(18)
     desk, pedestal, monitor, keys = f.desk(DESK_WIDTH, DESK_DEPTH), f.pedestal(), f.monitor(), f.keyboard_and_mouse()
-    chairs = {fabric: f.task_chair(fabric) for fabric in ("fabric charcoal", "fabric petrol", "fabric ochre")}
+    chairs = {fabric: seating.task_chair(fabric) for fabric in ("fabric charcoal", "fabric petrol", "fabric ochre")}
     mugs = {colour: f.mug(colour) for colour in ("ceramic white", "ceramic blue", "ceramic red")}
     extras = {"Papers": f.papers(3), "Notebook": f.notebook(), "Laptop": f.laptop()}
     cactus, basket = plants.snake_plant(21, "pot ceramic grey", 9, 0.26, 0.055, 0.09), f.waste_bin()
@@ -104,7 +105,7 @@ def furnish_benches(glb):
 def furnish_meeting_room(glb):
     n, x, y = Counter(glb), 12.3, 7.1
     glb.place("Meeting table", f.meeting_table(), x, y)
-    chairs = [f.meeting_chair("shell ochre"), f.meeting_chair("shell grey")]
+    chairs = [seating.meeting_chair("shell ochre"), seating.meeting_chair("shell grey")]
     seats = [(dx, side) for side in (-1, 1) for dx in (-0.78, 0.0, 0.78)]
     for k, (dx, side) in enumerate(seats):
         n.place("Meeting chair", chairs[k % 2], x + dx, y + side * 0.74, turn_deg=(0 if side < 0 else 180) + (7, -5, 3, -8, 4, 11)[k])
@@ -141,9 +142,9 @@ def furnish_storage(glb):
 def furnish_lounge(glb):
     """A sofa, two armchairs and a low table on a rug, between the windows and the meeting room."""
     glb.place("Rug", room.rug(), 12.65, 2.55)
-    glb.place("Sofa", f.sofa(2.1, "fabric petrol"), 12.65, 1.02)
-    glb.place("Armchair 01", f.sofa(0.95, "fabric ochre"), 13.75, 3.25, turn_deg=118)
-    glb.place("Armchair 02", f.sofa(0.95, "fabric ochre"), 12.25, 4.05, turn_deg=186)
+    glb.place("Sofa", seating.sofa(2.1, "fabric petrol"), 12.65, 1.02)
+    glb.place("Armchair 01", seating.sofa(0.95, "fabric ochre"), 13.75, 3.25, turn_deg=118)
+    glb.place("Armchair 02", seating.sofa(0.95, "fabric ochre"), 12.25, 4.05, turn_deg=186)
     glb.place("Coffee table 01", f.coffee_table(0.42), 12.60, 2.45, 0.0105)
     glb.place("Coffee table 02", f.coffee_table(0.28), 13.22, 2.10, 0.0105, turn_deg=50)
     glb.place("Lounge mug", f.mug("ceramic red"), 12.72, 2.58, 0.4105, turn_deg=30)
