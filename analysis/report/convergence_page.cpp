@@ -39,7 +39,7 @@ void roundLog(double& low, double& high) {
         return decade * (m <= 1 ? 1 : m <= 2 ? 2 : m <= 5 ? 5 : 10);
     };
     low = down(low), high = up(high);
-    if (high <= low * 1.5) low /= 2, high *= 2;
+    if (high < low * 4) low /= 2, high *= 2;
 }
 
 LogPlot plotOf(const std::vector<ErrorAtTime>& trace, double target, const QRectF& area) {

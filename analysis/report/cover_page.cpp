@@ -58,12 +58,13 @@ void drawName(Document& document) {
         canvas.text(sheet::kLeft - 0.8, baseline, row, style);
         baseline += Canvas::lineHeight(style) * 0.86;
     }
+    baseline += 6 - Canvas::lineHeight(style) * 0.86;  // the description's top: a fixed gap below the last line
     const auto description = line(document.contents().info.description);
     if (description.isEmpty() || baseline > 90) return;
     auto words = canvas.wrap(description, sheet::kTextWidth * 0.72, {11});
     const int most = static_cast<int>((100 - baseline) / Canvas::lineHeight({11}));
     if (words.size() > most) words = words.mid(0, most), words.last() += " …";
-    canvas.paragraph(sheet::kLeft, baseline - 3, sheet::kTextWidth * 0.75, words.join(" "), {11, QFont::Normal, ink::kGrey});
+    canvas.paragraph(sheet::kLeft, baseline, sheet::kTextWidth * 0.75, words.join(" "), {11, QFont::Normal, ink::kGrey});
 }
 
 void drawParties(Document& document) {

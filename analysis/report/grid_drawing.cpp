@@ -48,7 +48,9 @@ FlatBounds drawnBounds(const GridResult& grid, const GridPlane& plane, const Roo
     room.add({bounds.x1, bounds.y1});
     room.grow(0.01 * size);
     const double alone = PlanScale(bounds, area).mmPerMetre(), within = PlanScale(room, area).mmPerMetre();
-    return within > 0.6 * alone ? room : bounds;
+    if (within > 0.6 * alone) return room;
+    bounds.grow(0.3 * size);  // what stands about it tells where it is
+    return bounds;
 }
 
 void drawField(Drawing& d) {
@@ -94,7 +96,8 @@ TextStyle valueStyle(const Drawing& d, QPointF stepU, QPointF stepV) {
 std::pair<int, int> drawValues(Drawing& d) {
     const QPointF stepU = d.at(1, 0) - d.at(0, 0), stepV = d.at(0, 1) - d.at(0, 0);
     const auto style = valueStyle(d, stepU, stepV);
-    const auto box = widestLabel(d, style);
+    auto box = widestLabel(d, style);
+    if (stepFor(stepU, box, 2) > 1 || stepFor(stepV, box, 2) > 1) box.width += 2.5, box.height += 1.8;  // when thinning, thin for isolines too
     const int everyU = stepFor(stepU, box, d.grid.columns), everyV = stepFor(stepV, box, d.grid.rows);
     // Start so that what is left over is shared by both ends.
     const int firstU = (d.grid.columns - 1) % everyU / 2, firstV = (d.grid.rows - 1) % everyV / 2;

@@ -179,9 +179,15 @@ void drawTable(Document& document, const std::vector<TableColumn>& columns, cons
     auto& canvas = document.canvas();
     const double header = headerHeight(canvas, columns);
     bool needsHeader = true;
-    for (const auto& row : rows) {
-        const auto laid = layOut(canvas, columns, row);
-        if (document.turnUnlessFits(laid.heightMm + (needsHeader ? header : 0))) needsHeader = true;
+    std::vector<LaidOutRow> all;
+    for (const auto& row : rows) all.push_back(layOut(canvas, columns, row));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto& row = rows[i];
+        const auto& laid = all[i];
+        double together = laid.heightMm;  // a group stays on one page when it fits on one
+        for (std::size_t j = i + 1; row.opensGroup && j < rows.size() && !rows[j].opensGroup; ++j) together += all[j].heightMm;
+        if (together > sheet::kBottom - sheet::kTop - header) together = laid.heightMm;
+        if (document.turnUnlessFits(together + (needsHeader ? header : 0))) needsHeader = true;
         const bool first = needsHeader;
         if (needsHeader) drawHeader(document, columns);
         needsHeader = false;

@@ -21,6 +21,13 @@ QString quantity(const GridResult& grid) {
     return grid.kind == GridKind::Cylindrical ? "Cylindrical illuminance" : "Illuminance";
 }
 
+/// "", "2nd ", "3rd ", "4th " ...: as in "every 2nd column".
+std::string ordinal(int n) {
+    if (n <= 1) return "";
+    const bool teen = n % 100 / 10 == 1;
+    return fmt::format("{}{} ", n, teen ? "th" : n % 10 == 1 ? "st" : n % 10 == 2 ? "nd" : n % 10 == 3 ? "rd" : "th");
+}
+
 struct Split {
     double direct = 0, indirect = 0;  // means over the points [lx]
 };
@@ -78,8 +85,8 @@ std::vector<NamedText> gridFacts(const GridResult& grid) {
     facts.push_back({"Requirement", requirementText(grid)});
     const auto buried = std::count_if(grid.points.begin(), grid.points.end(), [](const auto& p) { return p.insideSolid; });
     if (buried > 0)
-        facts.push_back({"Please check", fmt::format("{} of the points seem to lie inside solid objects (values in "
-                                                     "brackets): look at the surface's height and border.", buried)});
+        facts.push_back({"Please check", fmt::format("points that seem to lie inside solid objects: {} (values in "
+                                                     "brackets). Look at the surface's height and border.", buried)});
     return facts;
 }
 
@@ -139,9 +146,8 @@ void drawSurface(Document& document, const GridResult& grid) {
     drawAxes(canvas, sheet::kRight - 10, 179, plan ? "x" : "", plan ? "y" : "z");
     if (drawing.everyColumn > 1 || drawing.everyRow > 1)
         canvas.text(sheet::kRight, 43.2,
-                    line(fmt::format("values of every {} column, every {} row",
-                                     drawing.everyColumn == 1 ? "" : fmt::format("{}.", drawing.everyColumn),
-                                     drawing.everyRow == 1 ? "" : fmt::format("{}.", drawing.everyRow))),
+                    line(fmt::format("Values are printed for every {}column and every {}row", ordinal(drawing.everyColumn),
+                                     ordinal(drawing.everyRow))),
                     type::kSmall.aligned(Align::Right));
     document.y = 189;
     const double width = sheet::column(3) - sheet::kGutter - sheet::kLeft;

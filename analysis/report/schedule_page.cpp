@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace luxdeck::report {
 
@@ -103,8 +105,10 @@ void drawLuminairePlan(Document& document) {
 
 void drawFiles(Document& document) {
     std::vector<TableRow> rows;
+    std::set<std::pair<std::string, std::string>> seen;  // rows that differ in dimming alone share a file
     for (const auto& row : document.contents().schedule)
-        rows.push_back({{{line(row.id), type::kStrong.with(ink::kAccent)}, {line(row.file)}, {line(row.fileHash), type::kSmall}}});
+        if (seen.emplace(row.id, row.file).second)
+            rows.push_back({{{line(row.id), type::kStrong.with(ink::kAccent)}, {line(row.file)}, {line(row.fileHash), type::kSmall}}});
     if (rows.empty()) return;
     document.heading("Photometric files", 14);
     drawTable(document, {{"Mark", 16}, {"File", 114}, {"Content hash", 40}}, rows);
