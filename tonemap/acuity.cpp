@@ -32,7 +32,9 @@ std::vector<Picture> pyramid(const Picture& picture, double largestSample) {
 Rgb readPyramid(const std::vector<Picture>& levels, double x, double y, double sampleSize) {
     const double level = std::clamp(std::log2(std::max(sampleSize, 1.0)), 0.0, static_cast<double>(levels.size() - 1));
     const auto low = static_cast<std::size_t>(level);
-    const auto at = [&](std::size_t l) { return bilinear(levels[l], std::ldexp(x, -static_cast<int>(l)), std::ldexp(y, -static_cast<int>(l))); };
+    const auto at = [&](std::size_t l) {
+        return bilinear(levels[l], std::ldexp(x, -static_cast<int>(l)), std::ldexp(y, -static_cast<int>(l)));
+    };
     const auto fraction = static_cast<float>(level - static_cast<double>(low));
     if (fraction == 0) return at(low);
     return at(low) * (1 - fraction) + at(low + 1) * fraction;
@@ -40,12 +42,14 @@ Rgb readPyramid(const std::vector<Picture>& levels, double x, double y, double s
 
 }  // namespace
 
-std::vector<double> visibleSampleSizes(const FovealImage& foveal, const PixelDirections& pixels, int width, int height) {
+std::vector<double> visibleSampleSizes(const FovealImage& foveal, const PixelDirections& pixels, int width,
+                                       int height) {
     std::vector<double> sizes;
     const auto& samples = foveal.picture;
     for (int y = 0; y < samples.height; ++y)
         for (int x = 0; x < samples.width; ++x) {
-            const double pixelsPerDegree = pixels.pixelsPerDegree((x + 0.5) * width / samples.width, (y + 0.5) * height / samples.height);
+            const double pixelsPerDegree =
+                pixels.pixelsPerDegree((x + 0.5) * width / samples.width, (y + 0.5) * height / samples.height);
             sizes.push_back(0.5 * pixelsPerDegree / visualAcuity(luminance(samples.at(x, y))));
         }
     return sizes;
@@ -56,7 +60,8 @@ Picture blurredToAcuity(const Picture& picture, const FovealImage& foveal, const
     Picture sizes{foveal.picture.width, foveal.picture.height, {}};
     for (const double s : sampleSizes) sizes.pixels.emplace_back(static_cast<float>(s));
     Picture out{picture.width, picture.height, std::vector<Rgb>(picture.pixels.size())};
-    const double stepX = static_cast<double>(sizes.width) / picture.width, stepY = static_cast<double>(sizes.height) / picture.height;
+    const double stepX = static_cast<double>(sizes.width) / picture.width,
+                 stepY = static_cast<double>(sizes.height) / picture.height;
     parallelFor(static_cast<std::size_t>(picture.height), [&](std::size_t row) {
         for (int x = 0; x < picture.width; ++x) {
             const double px = x + 0.5, py = static_cast<double>(row) + 0.5;

@@ -40,9 +40,11 @@ void Canvas::strokes(std::span<const Line> lines, double thickness, const Colour
         const int y1 = std::min(static_cast<int>(std::ceil(std::max(l.y0, l.y1) + reach)), image_.height);
         for (int y = y0; y < y1; ++y)
             for (int x = x0; x < x1; ++x) {
-                const double covered = std::clamp(half + 0.5 - distance(x + 0.5, y + 0.5, l.x0, l.y0, l.x1, l.y1), 0.0, 1.0);
+                const double covered =
+                    std::clamp(half + 0.5 - distance(x + 0.5, y + 0.5, l.x0, l.y0, l.x1, l.y1), 0.0, 1.0);
                 if (covered <= 0) continue;
-                double& most = coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) + static_cast<std::size_t>(x)];
+                double& most = coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) +
+                                        static_cast<std::size_t>(x)];
                 most = std::max(most, covered);
             }
     }
@@ -53,19 +55,20 @@ void Canvas::strokes(std::span<const Line> lines, double thickness, const Colour
         }
 }
 
-void Canvas::polyline(std::span<const std::array<double, 2>> points, bool closed, double thickness, const Colour8& colour) {
+void Canvas::polyline(std::span<const std::array<double, 2>> points, bool closed, double thickness,
+                      const Colour8& colour) {
     std::vector<Line> lines;
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
         lines.push_back({points[i][0], points[i][1], points[i + 1][0], points[i + 1][1]});
-    if (closed && points.size() > 2) lines.push_back({points.back()[0], points.back()[1], points.front()[0], points.front()[1]});
+    if (closed && points.size() > 2)
+        lines.push_back({points.back()[0], points.back()[1], points.front()[0], points.front()[1]});
     strokes(lines, thickness, colour);
 }
 
-double Canvas::strokeThickness(double capHeight) {
-    return std::max(1.0, 0.13 * capHeight);
-}
+double Canvas::strokeThickness(double capHeight) { return std::max(1.0, 0.13 * capHeight); }
 
-void Canvas::text(double x, double y, double capHeight, std::string_view utf8, const Colour8& colour, double thickness) {
+void Canvas::text(double x, double y, double capHeight, std::string_view utf8, const Colour8& colour,
+                  double thickness) {
     const double scale = capHeight / 10;
     std::vector<Line> lines;
     for (const auto& s : strokeText(utf8).strokes)
@@ -73,8 +76,6 @@ void Canvas::text(double x, double y, double capHeight, std::string_view utf8, c
     strokes(lines, thickness > 0 ? thickness : strokeThickness(capHeight), colour);
 }
 
-double Canvas::textWidth(double capHeight, std::string_view utf8) {
-    return strokeText(utf8).width * capHeight / 10;
-}
+double Canvas::textWidth(double capHeight, std::string_view utf8) { return strokeText(utf8).width * capHeight / 10; }
 
 }  // namespace luxdeck::tonemap

@@ -14,8 +14,13 @@ struct Oklab {
 };
 
 // Five points, evenly spaced.
-constexpr std::array<Oklab, 5> kDusk{{{0.22, 0.015, -0.115}, {0.40, -0.020, -0.105}, {0.575, -0.085, -0.020}, {0.75, -0.115, 0.095}, {0.93, -0.045, 0.165}}};
-constexpr std::array<Oklab, 5> kHeat{{{0.08, 0.010, 0.005}, {0.32, 0.105, 0.060}, {0.55, 0.135, 0.105}, {0.78, 0.030, 0.150}, {0.98, -0.010, 0.045}}};
+constexpr std::array<Oklab, 5> kDusk{{{0.22, 0.015, -0.115},
+                                      {0.40, -0.020, -0.105},
+                                      {0.575, -0.085, -0.020},
+                                      {0.75, -0.115, 0.095},
+                                      {0.93, -0.045, 0.165}}};
+constexpr std::array<Oklab, 5> kHeat{
+    {{0.08, 0.010, 0.005}, {0.32, 0.105, 0.060}, {0.55, 0.135, 0.105}, {0.78, 0.030, 0.150}, {0.98, -0.010, 0.045}}};
 
 double encoded(double linear) {
     const double v = std::clamp(linear, 0.0, 1.0);
@@ -28,7 +33,8 @@ Colour8 srgb(const Oklab& c) {
     const double m = std::pow(c.lightness - 0.1055613458 * c.a - 0.0638541728 * c.b, 3);
     const double s = std::pow(c.lightness - 0.0894841775 * c.a - 1.2914855480 * c.b, 3);
     const auto byte = [](double v) { return static_cast<std::uint8_t>(std::lround(255 * encoded(v))); };
-    return {byte(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s), byte(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+    return {byte(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
+            byte(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
             byte(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
 }
 
@@ -47,9 +53,7 @@ std::array<Colour8, 256> table(const std::array<Oklab, 5>& points) {
 
 }  // namespace
 
-std::string_view name(ColourMap map) {
-    return map == ColourMap::Dusk ? "dusk" : "heat";
-}
+std::string_view name(ColourMap map) { return map == ColourMap::Dusk ? "dusk" : "heat"; }
 
 Result<ColourMap> colourMapNamed(std::string_view text) {
     if (text == "dusk") return ColourMap::Dusk;

@@ -26,8 +26,14 @@ struct DisplayTransform::State {
 namespace {
 
 /// Names that widely used configs give to linear Rec.709. A scene_linear role alone may mean ACEScg.
-constexpr std::array kLinearRec709Names{"Linear Rec.709",  "Linear Rec.709 (sRGB)", "lin_rec709",  "lin_srgb",
-                                        "lin_rec709_scene", "Utility - Linear - Rec.709", "Utility - Linear - sRGB", "Linear"};
+constexpr std::array kLinearRec709Names{"Linear Rec.709",
+                                        "Linear Rec.709 (sRGB)",
+                                        "lin_rec709",
+                                        "lin_srgb",
+                                        "lin_rec709_scene",
+                                        "Utility - Linear - Rec.709",
+                                        "Utility - Linear - sRGB",
+                                        "Linear"};
 
 /// Where in the 256ths each pixel's rounding threshold lies: Bayer's 8 x 8 pattern.
 double ditherThreshold(int x, int y) {
@@ -74,15 +80,22 @@ Result<std::string> chooseDisplay(const OCIO::Config& config, const std::string&
     if (wanted.empty()) return std::string(config.getDefaultDisplay());
     for (int i = 0; i < config.getNumDisplays(); ++i)
         if (wanted == config.getDisplay(i)) return wanted;
-    return Error{ErrorCode::InvalidArgument, fmt::format("no display '{}', expected one of {}", wanted, listed(config.getNumDisplays(), [&](int i) { return config.getDisplay(i); })), where};
+    return Error{ErrorCode::InvalidArgument,
+                 fmt::format("no display '{}', expected one of {}", wanted,
+                             listed(config.getNumDisplays(), [&](int i) { return config.getDisplay(i); })),
+                 where};
 }
 
-Result<std::string> chooseView(const OCIO::Config& config, const std::string& display, const std::string& wanted, const std::string& where) {
+Result<std::string> chooseView(const OCIO::Config& config, const std::string& display, const std::string& wanted,
+                               const std::string& where) {
     if (wanted.empty()) return std::string(config.getDefaultView(display.c_str()));
     const int count = config.getNumViews(display.c_str());
     for (int i = 0; i < count; ++i)
         if (wanted == config.getView(display.c_str(), i)) return wanted;
-    return Error{ErrorCode::InvalidArgument, fmt::format("display '{}' has no view '{}', expected one of {}", display, wanted, listed(count, [&](int i) { return config.getView(display.c_str(), i); })), where};
+    return Error{ErrorCode::InvalidArgument,
+                 fmt::format("display '{}' has no view '{}', expected one of {}", display, wanted,
+                             listed(count, [&](int i) { return config.getView(display.c_str(), i); })),
+                 where};
 }
 
 /// The space that linear Rec.709 pictures are in; none when the config has neither one nor the role.
@@ -105,10 +118,13 @@ Result<DisplayTransform> DisplayTransform::create(const DisplayTransformSettings
         const auto view = chooseView(*config, *display, settings.view, configName);
         if (!view) return view.error();
         const auto source = chooseSource(*config);
-        if (!source) return Error{ErrorCode::InvalidArgument, "has no linear Rec.709 space and no scene_linear role", configName};
+        if (!source)
+            return Error{ErrorCode::InvalidArgument, "has no linear Rec.709 space and no scene_linear role",
+                         configName};
 
         auto state = std::make_shared<State>();
-        const auto processor = config->getProcessor(source->c_str(), display->c_str(), view->c_str(), OCIO::TRANSFORM_DIR_FORWARD);
+        const auto processor =
+            config->getProcessor(source->c_str(), display->c_str(), view->c_str(), OCIO::TRANSFORM_DIR_FORWARD);
         state->processor = processor->getDefaultCPUProcessor();
         state->configName = configName;
         state->display = *display;
@@ -124,10 +140,12 @@ Result<DisplayTransform> DisplayTransform::create(const DisplayTransformSettings
 }
 
 Result<DisplayImage> DisplayTransform::apply(const Image& image) const {
-    if (image.empty() || !image.hasColour()) return Error{ErrorCode::InvalidArgument, "the picture has no R, G, B channels", ""};
+    if (image.empty() || !image.hasColour())
+        return Error{ErrorCode::InvalidArgument, "the picture has no R, G, B channels", ""};
     const auto &r = image.channel("R"), &g = image.channel("G"), &b = image.channel("B");
     DisplayImage out{image.width(), image.height(), std::vector<std::uint8_t>(3 * image.pixelCount()), image.text};
-    out.text["luxdeck:displayTransform"] = fmt::format("{}: {} to {}, {}", state_->configName, state_->sourceSpace, state_->display, state_->view);
+    out.text["luxdeck:displayTransform"] =
+        fmt::format("{}: {} to {}, {}", state_->configName, state_->sourceSpace, state_->display, state_->view);
     const auto width = static_cast<std::size_t>(image.width());
     parallelFor(static_cast<std::size_t>(image.height()), [&](std::size_t row) {
         std::vector<float> line(3 * width);
@@ -140,9 +158,11 @@ Result<DisplayImage> DisplayTransform::apply(const Image& image) const {
         OCIO::PackedImageDesc description(line.data(), image.width(), 1, 3);
         state_->processor->apply(description);
         for (std::size_t k = 0; k < line.size(); ++k) {
-            const double rounding = state_->dither ? ditherThreshold(static_cast<int>(k / 3), static_cast<int>(row)) : 0.5;
+            const double rounding =
+                state_->dither ? ditherThreshold(static_cast<int>(k / 3), static_cast<int>(row)) : 0.5;
             const double value = std::isfinite(line[k]) ? std::clamp(line[k], 0.0F, 1.0F) : 0.0F;
-            out.rgb[3 * row * width + k] = static_cast<std::uint8_t>(std::min(255.0, std::floor(255 * value + rounding)));
+            out.rgb[3 * row * width + k] =
+                static_cast<std::uint8_t>(std::min(255.0, std::floor(255 * value + rounding)));
         }
     });
     return out;

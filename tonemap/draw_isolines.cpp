@@ -31,7 +31,8 @@ Averaged averaged(const Field& field) {
             int count = 0;
             for (int sy = y * n; sy < std::min((y + 1) * n, field.height); ++sy)
                 for (int sx = x * n; sx < std::min((x + 1) * n, field.width); ++sx, ++count)
-                    sum += field.values[static_cast<std::size_t>(sy) * static_cast<std::size_t>(field.width) + static_cast<std::size_t>(sx)];
+                    sum += field.values[static_cast<std::size_t>(sy) * static_cast<std::size_t>(field.width) +
+                                        static_cast<std::size_t>(sx)];
             out.field.values.push_back(sum / count);
         }
     return out;
@@ -41,7 +42,8 @@ Averaged averaged(const Field& field) {
 Field smoothed(const Field& field) {
     Field out = field;
     const auto at = [&](int x, int y) {
-        return field.values[static_cast<std::size_t>(std::clamp(y, 0, field.height - 1)) * static_cast<std::size_t>(field.width) +
+        return field.values[static_cast<std::size_t>(std::clamp(y, 0, field.height - 1)) *
+                                static_cast<std::size_t>(field.width) +
                             static_cast<std::size_t>(std::clamp(x, 0, field.width - 1))];
     };
     for (int y = 0; y < field.height; ++y)
@@ -55,7 +57,8 @@ Field smoothed(const Field& field) {
                     sum += w * v;
                     weights += w;
                 }
-            out.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(field.width) + static_cast<std::size_t>(x)] = sum / weights;
+            out.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(field.width) +
+                       static_cast<std::size_t>(x)] = sum / weights;
         }
     return out;
 }
@@ -76,7 +79,11 @@ double lengthOf(const Isoline& line) {
 class Labels {
 public:
     Labels(Canvas& canvas, const Field& field, const IsolineStyle& style)
-        : canvas_(canvas), width_(field.width), height_(field.height), style_(style), capHeight_(std::clamp(field.height / 65.0, 7.0, 20.0)) {}
+        : canvas_(canvas),
+          width_(field.width),
+          height_(field.height),
+          style_(style),
+          capHeight_(std::clamp(field.height / 65.0, 7.0, 20.0)) {}
 
     void add(const Isoline& line, double level) {
         const std::string text = labelOf(level);
@@ -84,7 +91,8 @@ public:
         if (lengthOf(line) < 4 * width) return;
         for (const double along : {0.5, 0.35, 0.65, 0.2, 0.8}) {
             const auto& p = line.points[static_cast<std::size_t>(along * static_cast<double>(line.points.size() - 1))];
-            const Box box{p[0] - 0.5 * width - 3, p[1] - 0.5 * capHeight_ - 3, p[0] + 0.5 * width + 3, p[1] + 0.5 * capHeight_ + 3};
+            const Box box{p[0] - 0.5 * width - 3, p[1] - 0.5 * capHeight_ - 3, p[0] + 0.5 * width + 3,
+                          p[1] + 0.5 * capHeight_ + 3};
             const bool inside = box.x0 >= 0 && box.y0 >= 0 && box.x1 <= width_ && box.y1 <= height_;
             if (!inside || std::ranges::any_of(taken_, [&](const Box& o) { return o.meets(box); })) continue;
             taken_.push_back(box);
@@ -106,11 +114,14 @@ private:
 }  // namespace
 
 Result<void> drawIsolines(DisplayImage& image, const Field& field, const IsolineStyle& style, bool logarithmic) {
-    const bool fits = field.width > 0 && field.height > 0 && image.width >= field.width && image.height >= field.height &&
-                      field.values.size() == static_cast<std::size_t>(field.width) * static_cast<std::size_t>(field.height);
+    const bool fits =
+        field.width > 0 && field.height > 0 && image.width >= field.width && image.height >= field.height &&
+        field.values.size() == static_cast<std::size_t>(field.width) * static_cast<std::size_t>(field.height);
     if (!fits)
-        return Error{ErrorCode::InvalidArgument, fmt::format("a field of {} x {} samples ({} values) over a picture of {} x {}", field.width,
-                                                             field.height, field.values.size(), image.width, image.height), ""};
+        return Error{ErrorCode::InvalidArgument,
+                     fmt::format("a field of {} x {} samples ({} values) over a picture of {} x {}", field.width,
+                                 field.height, field.values.size(), image.width, image.height),
+                     ""};
     auto levels = style.levels;
     if (levels.empty()) {
         const auto range = roundedRange(field, logarithmic);

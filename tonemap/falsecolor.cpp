@@ -15,13 +15,20 @@ namespace {
 constexpr double kMostDecades = 6;
 
 Result<void> check(const Field& field) {
-    if (field.width > 0 && field.height > 0 && field.values.size() == static_cast<std::size_t>(field.width) * static_cast<std::size_t>(field.height)) return {};
-    return Error{ErrorCode::InvalidArgument, fmt::format("{} values for {} x {} samples", field.values.size(), field.width, field.height), ""};
+    if (field.width > 0 && field.height > 0 &&
+        field.values.size() == static_cast<std::size_t>(field.width) * static_cast<std::size_t>(field.height))
+        return {};
+    return Error{ErrorCode::InvalidArgument,
+                 fmt::format("{} values for {} x {} samples", field.values.size(), field.width, field.height), ""};
 }
 
 Result<void> check(const ScaleRange& range, bool logarithmic) {
-    if (std::isfinite(range.low) && std::isfinite(range.high) && range.low < range.high && (!logarithmic || range.low > 0)) return {};
-    return Error{ErrorCode::InvalidArgument, fmt::format("range {} to {}, expected {}low < high", range.low, range.high, logarithmic ? "0 < " : ""), ""};
+    if (std::isfinite(range.low) && std::isfinite(range.high) && range.low < range.high &&
+        (!logarithmic || range.low > 0))
+        return {};
+    return Error{ErrorCode::InvalidArgument,
+                 fmt::format("range {} to {}, expected {}low < high", range.low, range.high, logarithmic ? "0 < " : ""),
+                 ""};
 }
 
 /// 1, 2 or 5 times a power of ten, at least (or at most) `value` > 0.
@@ -52,7 +59,8 @@ Counts paint(DisplayImage& image, const Field& field, const FalseColourSettings&
     Counts counts;
     for (int y = 0; y < field.height; ++y)
         for (int x = 0; x < field.width; ++x) {
-            const double value = field.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(field.width) + static_cast<std::size_t>(x)];
+            const double value = field.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(field.width) +
+                                              static_cast<std::size_t>(x)];
             Colour8 colour = kNotANumber;
             if (std::isfinite(value)) {
                 const double t = position(value, range, settings.logarithmic);
@@ -71,7 +79,8 @@ Counts paint(DisplayImage& image, const Field& field, const FalseColourSettings&
 
 Result<Field> luminanceField(const Image& image) {
     if (image.empty() || (!image.hasColour() && !image.has("Y")))
-        return Error{ErrorCode::InvalidArgument, "the picture has no pixels, or no channels R, G, B and none called Y", ""};
+        return Error{ErrorCode::InvalidArgument, "the picture has no pixels, or no channels R, G, B and none called Y",
+                     ""};
     Field field{image.width(), image.height(), {}};
     field.values.reserve(image.pixelCount());
     if (image.hasColour())
@@ -87,12 +96,17 @@ ScaleRange roundedRange(const Field& field, bool logarithmic) {
         if (std::isfinite(v) && v > 0) sorted.push_back(v);
     if (sorted.empty()) return logarithmic ? ScaleRange{0.1, 1} : ScaleRange{0, 1};
     const auto percentile = [&](double p) {
-        const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(std::llround(p / 100 * static_cast<double>(sorted.size() - 1)));
+        const auto at = sorted.begin() +
+                        static_cast<std::ptrdiff_t>(std::llround(p / 100 * static_cast<double>(sorted.size() - 1)));
         std::ranges::nth_element(sorted, at);
         return *at;
     };
-    const double high = roundedUp(percentile(99.9));
-    if (!logarithmic) return {0, high};
+    const double top = percentile(99.9);
+    if (!logarithmic) {
+        const double step = roundedUp(top / 8);
+        return {0, step * std::ceil(top / step - 1e-9)};
+    }
+    const double high = roundedUp(top);
     double low = std::max(roundedDown(percentile(0.5)), high * std::pow(10.0, -kMostDecades));
     if (low >= high) low = roundedDown(0.4 * high);
     return {low, high};
@@ -135,8 +149,10 @@ Result<DisplayImage> falseColour(const Field& field, const FalseColourSettings& 
     image.text = {{"luxdeck:falsecolour", std::string(name(settings.map))},
                   {"luxdeck:quantity", settings.quantity},
                   {"luxdeck:unit", settings.unit},
-                  {"luxdeck:scale", fmt::format("{} {:g} to {:g}", settings.logarithmic ? "logarithmic" : "linear", range.low, range.high)},
-                  {"luxdeck:beyond", fmt::format("{} below, {} above, {} not finite", counts.below, counts.above, counts.notFinite)}};
+                  {"luxdeck:scale", fmt::format("{} {:g} to {:g}", settings.logarithmic ? "logarithmic" : "linear",
+                                                range.low, range.high)},
+                  {"luxdeck:beyond",
+                   fmt::format("{} below, {} above, {} not finite", counts.below, counts.above, counts.notFinite)}};
     return image;
 }
 

@@ -28,8 +28,9 @@ struct ScaleRange {
     double high = 1;
 };
 
-/// 1-2-5 numbers about the field's finite values: from its 0.5th to its 99.9th percentile on a logarithmic scale
-/// (six decades at most, only values above 0 count), from 0 on a linear one. 0 to 1 (0.1 to 1) for an empty or black field.
+/// Round numbers about the field's finite values: from its 0.5th to its 99.9th percentile on a logarithmic scale
+/// (1-2-5, six decades at most, only values above 0 count); on a linear one from 0 to a multiple of a 1-2-5 step.
+/// 0 to 1 (0.1 to 1) for an empty or black field.
 ScaleRange roundedRange(const Field& field, bool logarithmic);
 
 struct IsolineStyle {
@@ -53,11 +54,13 @@ struct FalseColourSettings {
 /// colour; values that are not finite are kNotANumber, and the legend says so. The text of the result tells range,
 /// scale, unit and how many values were below, above and not finite. No tone curve, no colour management.
 ///
-/// errors  InvalidArgument: no values, a size that does not agree, a range that is empty (or not above 0 when logarithmic)
+/// errors  InvalidArgument: no values, a size that does not agree, a range that is empty (or not above 0 when
+/// logarithmic)
 Result<DisplayImage> falseColour(const Field& field, const FalseColourSettings& settings);
 
 /// Draws lines of equal value over a picture of the field (false colour or tone-mapped); the picture may be wider
-/// than the field by a legend. The field is averaged to 400 samples a side first, so that noise does not fray the lines.
+/// than the field by a legend. The field is averaged to 400 samples a side first, so that noise does not fray the
+/// lines.
 ///
 /// errors  InvalidArgument: as falseColour(), or a picture smaller than the field
 Result<void> drawIsolines(DisplayImage& image, const Field& field, const IsolineStyle& style, bool logarithmic);

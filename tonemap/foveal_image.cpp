@@ -24,7 +24,8 @@ FovealImage fovealImage(const Picture& picture, const PixelDirections& pixels) {
     const int width = sampleCount(pixels.widthDegrees(), picture.width);
     const int height = sampleCount(pixels.heightDegrees(), picture.height);
     FovealImage out{boxResampled(picture, width, height), {}, {}};
-    const double stepX = static_cast<double>(picture.width) / width, stepY = static_cast<double>(picture.height) / height;
+    const double stepX = static_cast<double>(picture.width) / width,
+                 stepY = static_cast<double>(picture.height) / height;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const double px = (x + 0.5) * stepX, py = (y + 0.5) * stepY;

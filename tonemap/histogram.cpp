@@ -11,14 +11,10 @@ namespace luxdeck::tonemap {
 
 namespace {
 
-double logRange(const DisplayModel& display) {
-    return std::log(display.maxCdM2 / display.minCdM2);
-}
+double logRange(const DisplayModel& display) { return std::log(display.maxCdM2 / display.minCdM2); }
 
 /// The middle of the display's range, in brightness [cd/m^2].
-double middle(const DisplayModel& display) {
-    return std::sqrt(display.maxCdM2 * display.minCdM2);
-}
+double middle(const DisplayModel& display) { return std::sqrt(display.maxCdM2 * display.minCdM2); }
 
 /// One factor for the whole picture: the luminances' geometric mean shows as the display's middle (camera), or
 /// what is just noticeable in the scene as just noticeable on the display (human; Ward 1994).
@@ -33,7 +29,8 @@ double linearFactor(std::span<const double> luminances, const DisplayModel& disp
     }
     const double mean = count > 0 ? std::exp(sum / static_cast<double>(count)) : kDarkestVisible;
     const double mid = middle(display);
-    const double factor = ceiling == Ceiling::Linear ? mid / mean : justNoticeableDifference(mid) / justNoticeableDifference(mean);
+    const double factor =
+        ceiling == Ceiling::Linear ? mid / mean : justNoticeableDifference(mid) / justNoticeableDifference(mean);
     // Where all of the scene's range fits, none of it is sent past white.
     const double darkest = luminances.empty() ? 0 : *std::ranges::min_element(luminances);
     const bool fits = darkest > 0 && brightest / darkest <= display.maxCdM2 / display.minCdM2;
@@ -42,9 +39,7 @@ double linearFactor(std::span<const double> luminances, const DisplayModel& disp
 
 }  // namespace
 
-double LogHistogram::total() const {
-    return std::accumulate(counts.begin(), counts.end(), 0.0);
-}
+double LogHistogram::total() const { return std::accumulate(counts.begin(), counts.end(), 0.0); }
 
 LogHistogram logHistogram(std::span<const double> luminances, int bins) {
     LogHistogram out{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), {}};
@@ -98,7 +93,8 @@ double ceilingSlope(Ceiling ceiling, double worldCdM2, double displayCdM2) {
     return justNoticeableDifference(displayCdM2) / justNoticeableDifference(worldCdM2) * worldCdM2 / displayCdM2;
 }
 
-AdjustedHistogram adjustHistogram(LogHistogram histogram, const DisplayModel& display, Ceiling ceiling, double tolerance) {
+AdjustedHistogram adjustHistogram(LogHistogram histogram, const DisplayModel& display, Ceiling ceiling,
+                                  double tolerance) {
     const double original = histogram.total(), slack = tolerance * original;
     AdjustedHistogram out;
     double trimmings = original;
@@ -122,7 +118,8 @@ AdjustedHistogram adjustHistogram(LogHistogram histogram, const DisplayModel& di
     return out;
 }
 
-ToneCurve toneCurve(std::span<const double> luminances, const DisplayModel& display, Ceiling ceiling, AdjustedHistogram* adjusted) {
+ToneCurve toneCurve(std::span<const double> luminances, const DisplayModel& display, Ceiling ceiling,
+                    AdjustedHistogram* adjusted) {
     auto histogram = logHistogram(luminances);
     AdjustedHistogram result;
     const bool wider = !histogram.counts.empty() && histogram.maxLog - histogram.minLog > logRange(display);

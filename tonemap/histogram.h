@@ -24,7 +24,9 @@ struct LogHistogram {
     std::vector<double> counts;  ///< #B
 
     [[nodiscard]] double binWidth() const { return (maxLog - minLog) / static_cast<double>(counts.size()); }
-    [[nodiscard]] double centre(std::size_t bin) const { return minLog + (static_cast<double>(bin) + 0.5) * binWidth(); }
+    [[nodiscard]] double centre(std::size_t bin) const {
+        return minLog + (static_cast<double>(bin) + 0.5) * binWidth();
+    }
     [[nodiscard]] double total() const;
 };
 
@@ -70,10 +72,12 @@ double ceilingSlope(Ceiling ceiling, double worldCdM2, double displayCdM2);
 ///
 /// source  Larson et al. 1997, sections 4.3 and 4.4: the tolerance is of the *original* total, where Radiance's
 ///         pcond takes the current one
-AdjustedHistogram adjustHistogram(LogHistogram histogram, const DisplayModel& display, Ceiling ceiling, double tolerance = 0.025);
+AdjustedHistogram adjustHistogram(LogHistogram histogram, const DisplayModel& display, Ceiling ceiling,
+                                  double tolerance = 0.025);
 
 /// The mapping for these luminances: linear when their range is no wider than the display's or the histogram
 /// cannot be adjusted, else its adjusted equalisation. `adjusted` (may be null) receives how it went.
-ToneCurve toneCurve(std::span<const double> luminances, const DisplayModel& display, Ceiling ceiling, AdjustedHistogram* adjusted);
+ToneCurve toneCurve(std::span<const double> luminances, const DisplayModel& display, Ceiling ceiling,
+                    AdjustedHistogram* adjusted);
 
 }  // namespace luxdeck::tonemap

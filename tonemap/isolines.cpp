@@ -36,7 +36,8 @@ private:
 
     void addCell(int column, int row) {
         // Corners clockwise from the upper left; edge i runs from corner i to the next.
-        const std::array<std::size_t, 4> corners{sample(column, row), sample(column + 1, row), sample(column + 1, row + 1), sample(column, row + 1)};
+        const std::array<std::size_t, 4> corners{sample(column, row), sample(column + 1, row),
+                                                 sample(column + 1, row + 1), sample(column, row + 1)};
         const std::array<EdgeId, 4> edges{2 * corners[0], 2 * corners[1] + 1, 2 * corners[3], 2 * corners[0] + 1};
         unsigned above = 0;
         double sum = 0;
@@ -68,7 +69,8 @@ private:
         const std::size_t a = edge / 2, b = edge % 2 == 0 ? a + 1 : a + static_cast<std::size_t>(columns_);
         const double va = values_[a], vb = values_[b];
         const double t = std::clamp((level_ - va) / (vb - va), 0.0, 1.0);
-        const auto column = static_cast<double>(a % static_cast<std::size_t>(columns_)), row = static_cast<double>(a / static_cast<std::size_t>(columns_));
+        const auto column = static_cast<double>(a % static_cast<std::size_t>(columns_)),
+                   row = static_cast<double>(a / static_cast<std::size_t>(columns_));
         return edge % 2 == 0 ? std::array{column + t, row} : std::array{column, row + t};
     }
 
@@ -99,7 +101,8 @@ private:
                 line.closed = true;
                 break;
             }
-            if (line.closed && line.points.size() > 1 && line.points.front() == line.points.back()) line.points.pop_back();
+            if (line.closed && line.points.size() > 1 && line.points.front() == line.points.back())
+                line.points.pop_back();
             if (line.points.size() >= 2) out.push_back(std::move(line));
         };
         for (std::size_t i = 0; i < segments_.size(); ++i)  // open lines first, from their beginnings
@@ -127,7 +130,8 @@ double roundStep(double step) {
 
 std::vector<Isoline> isolines(std::span<const double> values, int columns, int rows, std::span<const double> levels) {
     std::vector<Isoline> out;
-    if (columns < 2 || rows < 2 || values.size() != static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) return out;
+    if (columns < 2 || rows < 2 || values.size() != static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows))
+        return out;
     for (const double level : levels)
         if (std::isfinite(level)) LevelTracer(values, columns, rows, level).trace(out);
     return out;
@@ -135,11 +139,13 @@ std::vector<Isoline> isolines(std::span<const double> values, int columns, int r
 
 std::vector<double> roundLevels(double low, double high, int count, bool logarithmic) {
     std::vector<double> out;
-    if (!(low < high) || !std::isfinite(low) || !std::isfinite(high) || (logarithmic && !(low > 0)) || count < 1) return out;
+    if (!(low < high) || !std::isfinite(low) || !std::isfinite(high) || (logarithmic && !(low > 0)) || count < 1)
+        return out;
     constexpr double kSlack = 1e-9;  // the ends themselves count
     if (!logarithmic) {
         const double step = roundStep((high - low) / count);
-        for (double i = std::ceil(low / step - kSlack); i * step <= high + kSlack * step; ++i) out.push_back(i * step);
+        for (double i = std::ceil(low / step - kSlack) + 0.0; i * step <= high + kSlack * step; ++i)
+            out.push_back(i * step);  // + 0.0: no -0
         return out;
     }
     const double decades = std::log10(high / low);

@@ -25,7 +25,7 @@ private:
         std::string label;
         bool strong = true;   // has a number
     };
-    void addTicks(const ScaleRange& range, bool logarithmic);
+    void addTicks(const ScaleRange& range, bool logarithmic, double barHeight);
     void drawBar(DisplayImage& image, int x, int top, int bottom) const;
 
     ColourMap map_;

@@ -30,7 +30,8 @@ double scotopicLuminance(const Rgb& c) {
 Rgb withNightColours(const Rgb& colour) {
     const double y = luminance(colour);
     if (y >= kPhotopicAbove) return colour;
-    const auto cones = static_cast<float>(std::clamp((y - kScotopicBelow) / (kPhotopicAbove - kScotopicBelow), 0.0, 1.0));
+    const auto cones =
+        static_cast<float>(std::clamp((y - kScotopicBelow) / (kPhotopicAbove - kScotopicBelow), 0.0, 1.0));
     return colour * cones + Rgb(static_cast<float>(scotopicLuminance(colour))) * (1 - cones);
 }
 

@@ -5,7 +5,7 @@
 namespace luxdeck::tonemap {
 
 inline constexpr double kScotopicBelow = 5.6e-3;  ///< rods alone: no colour [cd/m^2]; Larson et al. 1997, section 5.3
-inline constexpr double kPhotopicAbove = 5.6;     ///< cones alone: full colour [cd/m^2]
+inline constexpr double kPhotopicAbove = 5.6;  ///< cones alone: full colour [cd/m^2]
 
 /// Luminance as rods see it, scaled so that a grey keeps its own. Blue gains, red loses (Purkinje's shift).
 ///

@@ -30,11 +30,13 @@ Result<void> check(const Image& scene, const ToneMapSettings& settings) {
     if (!scene.hasColour() && !scene.has("Y")) return invalid("the picture has no channels R, G, B and none called Y");
     const auto& display = settings.display;
     if (!(display.minCdM2 > 0 && display.maxCdM2 > display.minCdM2 && display.maxCdM2 <= 1e6))
-        return invalid(fmt::format("the display shows {} to {} cd/m^2, expected 0 < black < white <= 1e6", display.minCdM2, display.maxCdM2));
+        return invalid(fmt::format("the display shows {} to {} cd/m^2, expected 0 < black < white <= 1e6",
+                                   display.minCdM2, display.maxCdM2));
     if (settings.exposure && !(*settings.exposure > 0 && std::isfinite(*settings.exposure)))
         return invalid(fmt::format("exposure is {}, expected a number above 0", *settings.exposure));
     if (settings.view && !(settings.view->verticalFovDeg >= 0 && settings.view->verticalFovDeg <= 360))
-        return invalid(fmt::format("vertical angle of view is {} degrees, expected 0 (not known) to 360", settings.view->verticalFovDeg));
+        return invalid(fmt::format("vertical angle of view is {} degrees, expected 0 (not known) to 360",
+                                   settings.view->verticalFovDeg));
     return {};
 }
 
@@ -57,8 +59,11 @@ void recordRange(const Picture& picture, ToneMapRecord& record) {
 class Mapping {
 public:
     Mapping(Picture picture, const ToneMapSettings& settings, const ViewGeometry& view, ToneMapRecord& record)
-        : settings_(settings), record_(record), picture_(std::move(picture)),
-          directions_(view, picture_.width, picture_.height), foveal_(fovealImage(picture_, directions_)) {
+        : settings_(settings),
+          record_(record),
+          picture_(std::move(picture)),
+          directions_(view, picture_.width, picture_.height),
+          foveal_(fovealImage(picture_, directions_)) {
         record_.view = directions_.geometry();
         record_.viewAssumed = !view.known();
         record_.fovealWidth = foveal_.picture.width;
@@ -81,7 +86,9 @@ private:
     bool asked(const char* effect, const std::optional<bool>& choice) {
         const bool on = choice.value_or(settings_.op == Operator::Human);
         if (!on)
-            record_.effects.push_back({effect, false, choice ? "switched off" : fmt::format("not part of the {} operator", name(settings_.op))});
+            record_.effects.push_back(
+                {effect, false,
+                 choice ? "switched off" : fmt::format("not part of the {} operator", name(settings_.op))});
         return on;
     }
     void decide(const char* effect, bool applied, std::string why) {
@@ -92,13 +99,15 @@ private:
         if (!asked("veil", settings_.effects.veil)) return;
         const auto levels = foveal_.luminances();
         const auto [low, high] = std::ranges::minmax(levels);
-        if (levels.size() < 2 || low == high) return decide("veil", false, "the view is uniform: its veil would not change it");
+        if (levels.size() < 2 || low == high)
+            return decide("veil", false, "the view is uniform: its veil would not change it");
         veil_ = veil(foveal_);
         for (std::size_t i = 0; i < veil_.pixels.size(); ++i) {
             Rgb& c = foveal_.picture.pixels[i];
             c = c * static_cast<float>(1 - kVeilFraction) + veil_.pixels[i];
         }
-        decide("veil", true, fmt::format("{:.1f} % of the light about each of {} directions", 100 * kVeilFraction, levels.size()));
+        decide("veil", true,
+               fmt::format("{:.1f} % of the light about each of {} directions", 100 * kVeilFraction, levels.size()));
     }
 
     ToneCurve chooseCurve() {
@@ -106,7 +115,8 @@ private:
         if (settings_.op == Operator::Linear) {
             const double mean = record_.worldLogMeanCdM2 > 0 ? record_.worldLogMeanCdM2 : 1;
             const double factor = settings_.exposure.value_or(kAutomaticGrey * settings_.display.maxCdM2 / mean);
-            record_.why = settings_.exposure ? "exposure as given" : "automatic exposure: the log-mean luminance shows as 18 % of white";
+            record_.why = settings_.exposure ? "exposure as given"
+                                             : "automatic exposure: the log-mean luminance shows as 18 % of white";
             return ToneCurve::linear(factor, settings_.display);
         }
         const auto ceiling = settings_.op == Operator::Human ? Ceiling::Human : Ceiling::Linear;
@@ -124,7 +134,9 @@ private:
     void recordCurve(const ToneCurve& curve) {
         const bool linear = curve.isLinear();
         record_.factor = curve.factor();
-        record_.mapping = linear ? "linear" : settings_.op == Operator::Human ? "histogram, human ceiling" : "histogram, linear ceiling";
+        record_.mapping = linear                            ? "linear"
+                          : settings_.op == Operator::Human ? "histogram, human ceiling"
+                                                            : "histogram, linear ceiling";
         const auto levels = foveal_.luminances();
         double low = 0, high = 0;
         for (const double l : levels) {
@@ -144,15 +156,22 @@ private:
         const double largest = *std::ranges::max_element(sizes);
         if (largest <= 1) return decide("acuity", false, "the eye sees every pixel of this picture");
         picture_ = blurredToAcuity(picture_, foveal_, sizes);
-        decide("acuity", true, fmt::format("details up to {:.1f} pixels are too fine for the eye in the darkest parts", largest));
+        decide("acuity", true,
+               fmt::format("details up to {:.1f} pixels are too fine for the eye in the darkest parts", largest));
     }
 
     void loseColours() {
         if (!asked("colour", settings_.effects.colour)) return;
-        const bool dark = std::ranges::any_of(picture_.pixels, [](const Rgb& c) { return luminance(c) < kPhotopicAbove; });
-        if (!dark) return decide("colour", false, fmt::format("every pixel is above {} cd/m^2, where colour vision is full", kPhotopicAbove));
+        const bool dark = std::ranges::any_of(picture_.pixels, [](const Rgb& c) {
+            const float l = luminance(c);
+            return l > 0 && l < kPhotopicAbove;
+        });
+        if (!dark)
+            return decide("colour", false,
+                          fmt::format("every pixel is above {} cd/m^2, where colour vision is full", kPhotopicAbove));
         for (Rgb& c : picture_.pixels) c = withNightColours(c);
-        decide("colour", true, fmt::format("colours fade below {} cd/m^2 and are gone below {}", kPhotopicAbove, kScotopicBelow));
+        decide("colour", true,
+               fmt::format("colours fade below {} cd/m^2 and are gone below {}", kPhotopicAbove, kScotopicBelow));
     }
 
     /// Linear pictures have black at no light; the others have it at the display's black, which the display adds.
@@ -252,9 +271,11 @@ std::map<std::string, std::string> headerText(const ToneMapRecord& r) {
         {"luxdeck:operator", std::string(name(r.op))},
         {"luxdeck:mapping", fmt::format("{} ({})", r.mapping, r.why)},
         {"luxdeck:display", fmt::format("{:g} to {:g} cd/m^2", r.display.minCdM2, r.display.maxCdM2)},
-        {"luxdeck:world", fmt::format("{:.4g} to {:.4g} cd/m^2, log-mean {:.4g}", r.worldMinCdM2, r.worldMaxCdM2, r.worldLogMeanCdM2)}};
+        {"luxdeck:world",
+         fmt::format("{:.4g} to {:.4g} cd/m^2, log-mean {:.4g}", r.worldMinCdM2, r.worldMaxCdM2, r.worldLogMeanCdM2)}};
     if (r.factor > 0) out["luxdeck:exposure"] = fmt::format("{:.6g}", r.factor);
-    for (const auto& e : r.effects) out["luxdeck:" + e.effect] = fmt::format("{}: {}", e.applied ? "applied" : "left out", e.why);
+    for (const auto& e : r.effects)
+        out["luxdeck:" + e.effect] = fmt::format("{}: {}", e.applied ? "applied" : "left out", e.why);
     if (r.nonFinitePixels + r.negativePixels > 0)
         out["luxdeck:repaired"] = fmt::format("{} pixels not finite, {} negative", r.nonFinitePixels, r.negativePixels);
     return out;

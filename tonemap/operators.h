@@ -32,7 +32,8 @@ struct Effects {
 
 struct ToneMapSettings {
     Operator op = Operator::Human;
-    std::optional<double> exposure;  ///< Operator::Linear: display over world luminance, > 0; unset: log-mean shows as 18 % of white
+    std::optional<double>
+        exposure;  ///< Operator::Linear: display over world luminance, > 0; unset: log-mean shows as 18 % of white
     DisplayModel display;
     Effects effects;
     std::optional<ViewGeometry> view;  ///< unset: the picture's own header tells (viewGeometryOf)

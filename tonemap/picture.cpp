@@ -16,7 +16,8 @@ Rgb neighbourMean(const std::vector<Rgb>& pixels, int width, int height, int x, 
     int count = 0;
     for (int ny = std::max(y - 1, 0); ny <= std::min(y + 1, height - 1); ++ny)
         for (int nx = std::max(x - 1, 0); nx <= std::min(x + 1, width - 1); ++nx) {
-            const Rgb& c = pixels[static_cast<std::size_t>(ny) * static_cast<std::size_t>(width) + static_cast<std::size_t>(nx)];
+            const Rgb& c =
+                pixels[static_cast<std::size_t>(ny) * static_cast<std::size_t>(width) + static_cast<std::size_t>(nx)];
             if (!isFinite(c)) continue;
             sum += c;
             ++count;
@@ -38,7 +39,8 @@ std::vector<Span> spans(int source, int target) {
         auto& span = out[static_cast<std::size_t>(i)];
         span.first = static_cast<int>(begin);
         for (int k = span.first; k < std::min(static_cast<int>(std::ceil(end - 1e-9)), source); ++k)
-            span.weights.push_back(static_cast<float>((std::min(k + 1.0, end) - std::max<double>(k, begin)) / (end - begin)));
+            span.weights.push_back(
+                static_cast<float>((std::min(k + 1.0, end) - std::max<double>(k, begin)) / (end - begin)));
     }
     return out;
 }
@@ -72,7 +74,8 @@ CleanedPicture cleaned(const Image& image) {
 
 Picture boxResampled(const Picture& picture, int width, int height) {
     const auto columns = spans(picture.width, width), rows = spans(picture.height, height);
-    Picture narrow{width, picture.height, std::vector<Rgb>(static_cast<std::size_t>(width) * static_cast<std::size_t>(picture.height))};
+    Picture narrow{width, picture.height,
+                   std::vector<Rgb>(static_cast<std::size_t>(width) * static_cast<std::size_t>(picture.height))};
     parallelFor(static_cast<std::size_t>(picture.height), [&](std::size_t y) {
         for (int x = 0; x < width; ++x) {
             const auto& span = columns[static_cast<std::size_t>(x)];
@@ -86,13 +89,15 @@ Picture boxResampled(const Picture& picture, int width, int height) {
     for (int y = 0; y < height; ++y) {
         const auto& span = rows[static_cast<std::size_t>(y)];
         for (std::size_t k = 0; k < span.weights.size(); ++k)
-            for (int x = 0; x < width; ++x) out.at(x, y) += narrow.at(x, span.first + static_cast<int>(k)) * span.weights[k];
+            for (int x = 0; x < width; ++x)
+                out.at(x, y) += narrow.at(x, span.first + static_cast<int>(k)) * span.weights[k];
     }
     return out;
 }
 
 Rgb bilinear(const Picture& picture, double x, double y) {
-    const double px = std::clamp(x - 0.5, 0.0, picture.width - 1.0), py = std::clamp(y - 0.5, 0.0, picture.height - 1.0);
+    const double px = std::clamp(x - 0.5, 0.0, picture.width - 1.0),
+                 py = std::clamp(y - 0.5, 0.0, picture.height - 1.0);
     const int x0 = static_cast<int>(px), y0 = static_cast<int>(py);
     const int x1 = std::min(x0 + 1, picture.width - 1), y1 = std::min(y0 + 1, picture.height - 1);
     const auto fx = static_cast<float>(px - x0), fy = static_cast<float>(py - y0);

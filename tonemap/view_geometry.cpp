@@ -14,9 +14,9 @@ constexpr double kAssumedShorterSideDeg = 40;  // Radiance's pcond, for pictures
 
 double widestFovDeg(Projection projection) {
     switch (projection) {
-    case Projection::Perspective: return 179;
-    case Projection::HemisphericalFisheye: return 180;
-    case Projection::AngularFisheye: break;
+        case Projection::Perspective: return 179;
+        case Projection::HemisphericalFisheye: return 180;
+        case Projection::AngularFisheye: break;
     }
     return 360;
 }
@@ -24,9 +24,9 @@ double widestFovDeg(Projection projection) {
 double scaleOf(const ViewGeometry& geometry, double height) {
     const double half = 0.5 * geometry.verticalFovDeg * kDegree;
     switch (geometry.projection) {
-    case Projection::Perspective: return 2 * std::tan(half) / height;
-    case Projection::HemisphericalFisheye: return 2 * std::sin(half) / height;
-    case Projection::AngularFisheye: break;
+        case Projection::Perspective: return 2 * std::tan(half) / height;
+        case Projection::HemisphericalFisheye: return 2 * std::sin(half) / height;
+        case Projection::AngularFisheye: break;
     }
     return 2 * half / height;
 }
@@ -56,7 +56,8 @@ ViewGeometry viewGeometryOf(const Image& image) {
                                                    : Projection::Perspective;
         }
     }
-    if (!supported || !(geometry.verticalFovDeg > 0 && geometry.verticalFovDeg <= widestFovDeg(geometry.projection))) return {};
+    if (!supported || !(geometry.verticalFovDeg > 0 && geometry.verticalFovDeg <= widestFovDeg(geometry.projection)))
+        return {};
     return geometry;
 }
 
@@ -83,7 +84,8 @@ Vec3d PixelDirections::direction(double x, double y) const {
     // A little over the edge is kept, so that border pixels cut by the circle still count.
     const double edge = 0.5 * height_ * scale_ + 0.5 * scale_;
     if (r > edge) return Vec3d(0);
-    const double theta = geometry_.projection == Projection::AngularFisheye ? std::min(r, kPiD) : std::asin(std::min(r, 1.0));
+    const double theta =
+        geometry_.projection == Projection::AngularFisheye ? std::min(r, kPiD) : std::asin(std::min(r, 1.0));
     const double k = r > 0 ? std::sin(theta) / r : 1;
     return {u * k, v * k, -std::cos(theta)};
 }
@@ -105,11 +107,10 @@ double PixelDirections::pixelsPerDegree(double x, double y) const {
 }
 
 double PixelDirections::heightDegrees() const {
-    return geometry_.projection == Projection::HemisphericalFisheye ? geometry_.verticalFovDeg : scale_ * height_ / kDegree;
+    return geometry_.projection == Projection::HemisphericalFisheye ? geometry_.verticalFovDeg
+                                                                    : scale_ * height_ / kDegree;
 }
 
-double PixelDirections::widthDegrees() const {
-    return heightDegrees() * width_ / height_;
-}
+double PixelDirections::widthDegrees() const { return heightDegrees() * width_ / height_; }
 
 }  // namespace luxdeck::tonemap

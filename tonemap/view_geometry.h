@@ -51,7 +51,7 @@ private:
     ViewGeometry geometry_;  // with the angle that was assumed
     double width_;
     double height_;
-    double scale_;           // perspective: tangent units a pixel; angular: radians a pixel; hemispherical: sines a pixel
+    double scale_;  // perspective: tangent units a pixel; angular: radians a pixel; hemispherical: sines a pixel
 };
 
 }  // namespace luxdeck::tonemap

@@ -6,13 +6,9 @@ namespace luxdeck {
 
 namespace {
 
-Imath::V3d xyzOf(double x, double y) {
-    return {x / y, 1.0, (1.0 - x - y) / y};
-}
+Imath::V3d xyzOf(double x, double y) { return {x / y, 1.0, (1.0 - x - y) / y}; }
 
-Imath::M33d diagonal(const Imath::V3d& d) {
-    return {d.x, 0, 0, 0, d.y, 0, 0, 0, d.z};
-}
+Imath::M33d diagonal(const Imath::V3d& d) { return {d.x, 0, 0, 0, d.y, 0, 0, 0, d.z}; }
 
 /// Rows are the XYZ of the primaries, each at Y = 1.
 Imath::M33d primaryRows(const Chromaticities& c) {

@@ -76,8 +76,8 @@ private:
 bool isStructural(std::string_view name) {
     for (const std::string_view reserved :
          {"channels", "compression", "dataWindow", "displayWindow", "lineOrder", "pixelAspectRatio",
-          "screenWindowCenter", "screenWindowWidth", "chromaticities", "tiles", "type", "version", "chunkCount",
-          "name", "view", "maxSamplesPerPixel", "dwaCompressionLevel", "zipCompressionLevel"})
+          "screenWindowCenter", "screenWindowWidth", "chromaticities", "tiles", "type", "version", "chunkCount", "name",
+          "view", "maxSamplesPerPixel", "dwaCompressionLevel", "zipCompressionLevel"})
         if (name == reserved) return true;
     return false;
 }
@@ -94,7 +94,8 @@ Imf::Header headerOf(const Image& image) {
         if (!name.empty() && !isStructural(name)) header.insert(name, Imf::StringAttribute(value));
     for (const auto& [name, value] : image.numbers) {
         if (name.empty() || isStructural(name)) continue;
-        if (name == "whiteLuminance") Imf::addWhiteLuminance(header, static_cast<float>(value));  // a float by the standard
+        if (name == "whiteLuminance")
+            Imf::addWhiteLuminance(header, static_cast<float>(value));  // a float by the standard
         else header.insert(name, Imf::DoubleAttribute(value));
     }
     return header;
@@ -105,9 +106,12 @@ void readAttributes(const Imf::Header& header, Image& image) {
         const std::string name = it.name();
         if (isStructural(name)) continue;
         if (const auto* s = dynamic_cast<const Imf::StringAttribute*>(&it.attribute())) image.text[name] = s->value();
-        else if (const auto* f = dynamic_cast<const Imf::FloatAttribute*>(&it.attribute())) image.numbers[name] = f->value();
-        else if (const auto* d = dynamic_cast<const Imf::DoubleAttribute*>(&it.attribute())) image.numbers[name] = d->value();
-        else if (const auto* i = dynamic_cast<const Imf::IntAttribute*>(&it.attribute())) image.numbers[name] = i->value();
+        else if (const auto* f = dynamic_cast<const Imf::FloatAttribute*>(&it.attribute()))
+            image.numbers[name] = f->value();
+        else if (const auto* d = dynamic_cast<const Imf::DoubleAttribute*>(&it.attribute()))
+            image.numbers[name] = d->value();
+        else if (const auto* i = dynamic_cast<const Imf::IntAttribute*>(&it.attribute()))
+            image.numbers[name] = i->value();
     }
     if (!Imf::hasChromaticities(header)) return;
     const auto& c = Imf::chromaticities(header);
@@ -118,14 +122,14 @@ void readAttributes(const Imf::Header& header, Image& image) {
 /// Lines that share a chunk; fewer chunks than these cannot hold a picture.
 int linesPerChunk(Imf::Compression compression) {
     switch (compression) {
-    case Imf::ZIP_COMPRESSION:
-    case Imf::PXR24_COMPRESSION: return 16;
-    case Imf::PIZ_COMPRESSION:
-    case Imf::B44_COMPRESSION:
-    case Imf::B44A_COMPRESSION:
-    case Imf::DWAA_COMPRESSION: return 32;
-    case Imf::DWAB_COMPRESSION: return 256;
-    default: return 1;
+        case Imf::ZIP_COMPRESSION:
+        case Imf::PXR24_COMPRESSION: return 16;
+        case Imf::PIZ_COMPRESSION:
+        case Imf::B44_COMPRESSION:
+        case Imf::B44A_COMPRESSION:
+        case Imf::DWAA_COMPRESSION: return 32;
+        case Imf::DWAB_COMPRESSION: return 256;
+        default: return 1;
     }
 }
 
@@ -135,18 +139,22 @@ Result<void> checkHeader(const Imf::Header& header, std::size_t byteSize, const 
     const auto width = static_cast<std::int64_t>(window.max.x) - window.min.x + 1;
     const auto height = static_cast<std::int64_t>(window.max.y) - window.min.y + 1;
     if (width < 1 || height < 1 || width > kLargestImageSide || height > kLargestImageSide)
-        return Error{ErrorCode::Parse,
-                     fmt::format("a picture of {} x {} pixels, expected 1 to {} a side", width, height, kLargestImageSide), where};
+        return Error{
+            ErrorCode::Parse,
+            fmt::format("a picture of {} x {} pixels, expected 1 to {} a side", width, height, kLargestImageSide),
+            where};
 
     std::uint64_t channelCount = 0;
     for (auto it = header.channels().begin(); it != header.channels().end(); ++it, ++channelCount)
         if (it.channel().xSampling != 1 || it.channel().ySampling != 1)
-            return Error{ErrorCode::Unsupported, fmt::format("channel '{}' is subsampled, expected one value a pixel", it.name()), where};
+            return Error{ErrorCode::Unsupported,
+                         fmt::format("channel '{}' is subsampled, expected one value a pixel", it.name()), where};
     if (channelCount == 0) return Error{ErrorCode::Parse, "has no channels", where};
 
     const auto values = static_cast<std::uint64_t>(width * height) * channelCount;
     if (values > kMostImageValues)
-        return Error{ErrorCode::Parse, fmt::format("{} values in all channels, expected at most {}", values, kMostImageValues), where};
+        return Error{ErrorCode::Parse,
+                     fmt::format("{} values in all channels, expected at most {}", values, kMostImageValues), where};
     const auto compression = header.compression();
     // A chunk is at least 8 bytes in the offset table and 8 of its own. zlib shrinks 1032 times at the very most;
     // a black picture in a wavelet or DCT codec was seen to shrink 36,000 times.
@@ -155,21 +163,23 @@ Result<void> checkHeader(const Imf::Header& header, std::size_t byteSize, const 
                           compression == Imf::DWAB_COMPRESSION;
     const std::uint64_t strongest = wavelets ? 65536 : 1032;
     if ((!header.hasTileDescription() && chunks * 16 > byteSize) || values * 2 > byteSize * strongest)
-        return Error{ErrorCode::Parse, fmt::format("{} x {} pixels of {} channels do not fit in a file of {} bytes", width, height, channelCount, byteSize), where};
+        return Error{ErrorCode::Parse,
+                     fmt::format("{} x {} pixels of {} channels do not fit in a file of {} bytes", width, height,
+                                 channelCount, byteSize),
+                     where};
     return {};
 }
 
 /// "stderr.Y" -> "Y".
-std::string_view baseName(std::string_view channel) {
-    return channel.substr(channel.rfind('.') + 1);
-}
+std::string_view baseName(std::string_view channel) { return channel.substr(channel.rfind('.') + 1); }
 
 /// Values come as multiples of whiteLuminance; ours are cd/m^2.
 Result<void> scaleToCandela(Image& image, const std::string& where) {
     const auto found = image.numbers.find("whiteLuminance");
     if (found == image.numbers.end() || found->second == 1.0) return {};
     if (!(found->second > 0) || !std::isfinite(found->second))
-        return Error{ErrorCode::Parse, fmt::format("whiteLuminance is {}, expected a number above 0", found->second), where};
+        return Error{ErrorCode::Parse, fmt::format("whiteLuminance is {}, expected a number above 0", found->second),
+                     where};
     const auto scale = static_cast<float>(found->second);
     for (const auto& [name, unused] : image.channels()) {
         const auto base = baseName(name);
@@ -186,8 +196,7 @@ Result<void> checkFirstHeader(std::string_view bytes, const std::string& where) 
     std::uint8_t b[8];
     stream.read(reinterpret_cast<char*>(b), 8);
     int version = b[4] | b[5] << 8 | b[6] << 16;
-    if (Imf::isNonImage(version))
-        return Error{ErrorCode::Unsupported, "is a deep picture, expected a flat one", where};
+    if (Imf::isNonImage(version)) return Error{ErrorCode::Unsupported, "is a deep picture, expected a flat one", where};
     Imf::Header header;
     header.readFrom(stream, version);
     return checkHeader(header, bytes.size(), where);
@@ -217,7 +226,8 @@ Result<Image> decode(std::string_view bytes, const std::string& where) {
 }  // namespace
 
 Result<void> writeExr(const fs::path& path, const Image& image) {
-    if (image.empty()) return Error{ErrorCode::InvalidArgument, "the picture has no pixels or no channels", path.string()};
+    if (image.empty())
+        return Error{ErrorCode::InvalidArgument, "the picture has no pixels or no channels", path.string()};
     try {
         MemoryOutput stream(path.string());
         {
@@ -234,7 +244,8 @@ Result<void> writeExr(const fs::path& path, const Image& image) {
     } catch (const std::bad_alloc&) {
         return Error{ErrorCode::OutOfResources, "not enough memory to write the picture", path.string()};
     } catch (const std::exception& e) {
-        return Error{ErrorCode::InvalidArgument, fmt::format("cannot be written as OpenEXR: {}", e.what()), path.string()};
+        return Error{ErrorCode::InvalidArgument, fmt::format("cannot be written as OpenEXR: {}", e.what()),
+                     path.string()};
     }
 }
 

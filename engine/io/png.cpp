@@ -59,8 +59,8 @@ void onFlush(png_structp) {}
 bool encode(png_structp png, png_infop info, PngState& state) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
     png_set_write_fn(png, &state, onWrite, onFlush);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(state.image.width), static_cast<png_uint_32>(state.image.height), 8,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(state.image.width), static_cast<png_uint_32>(state.image.height),
+                 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     if (!state.texts.empty()) png_set_text(png, info, state.texts.data(), static_cast<int>(state.texts.size()));
     png_write_info(png, info);
@@ -104,7 +104,8 @@ void makeRows(PngState& state) {
 struct PngReader {
     png_structp png = nullptr;
     png_infop info = nullptr;
-    explicit PngReader(PngState& state) : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &state, onError, onWarning)) {
+    explicit PngReader(PngState& state)
+        : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &state, onError, onWarning)) {
         if (png != nullptr) info = png_create_info_struct(png);
     }
     ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
@@ -115,7 +116,8 @@ struct PngReader {
 struct PngWriter {
     png_structp png = nullptr;
     png_infop info = nullptr;
-    explicit PngWriter(PngState& state) : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &state, onError, onWarning)) {
+    explicit PngWriter(PngState& state)
+        : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &state, onError, onWarning)) {
         if (png != nullptr) info = png_create_info_struct(png);
     }
     ~PngWriter() { png_destroy_write_struct(&png, &info); }
@@ -131,7 +133,8 @@ bool isKey(std::string_view key) {
 Result<void> addTexts(PngState& state, const std::string& where) {
     for (auto& [key, value] : state.image.text) {
         if (!isKey(key))
-            return Error{ErrorCode::InvalidArgument, fmt::format("text key '{}', expected 1 to 79 printable ASCII characters", key), where};
+            return Error{ErrorCode::InvalidArgument,
+                         fmt::format("text key '{}', expected 1 to 79 printable ASCII characters", key), where};
         const bool ascii = std::ranges::all_of(value, [](char c) { return static_cast<unsigned char>(c) < 128; });
         png_text text{};
         text.compression = ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
@@ -160,9 +163,11 @@ Result<void> checkChunks(std::string_view bytes, const std::string& where) {
     constexpr std::size_t kSignature = 8, kAroundData = 12;  // length, kind and checksum
     for (std::size_t at = kSignature; at < bytes.size();) {
         const std::size_t left = bytes.size() - at;
-        const std::size_t length = left < 4 ? 0 : byte(at) << 24 | byte(at + 1) << 16 | byte(at + 2) << 8 | byte(at + 3);
+        const std::size_t length =
+            left < 4 ? 0 : byte(at) << 24 | byte(at + 1) << 16 | byte(at + 2) << 8 | byte(at + 3);
         if (left < kAroundData || length > left - kAroundData)
-            return Error{ErrorCode::Parse, fmt::format("the chunk at byte {} is cut off: {} bytes are left", at, left), where};
+            return Error{ErrorCode::Parse, fmt::format("the chunk at byte {} is cut off: {} bytes are left", at, left),
+                         where};
         if (bytes.substr(at + 4, 4) == "IEND") return {};
         at += length + kAroundData;
     }
@@ -174,13 +179,18 @@ Result<DisplayImage> decode(std::string_view bytes, const std::string& where) {
     state.in = bytes;
     PngReader reader(state);
     if (reader.png == nullptr || reader.info == nullptr) throw std::bad_alloc();
-    const auto broken = [&] { return Error{ErrorCode::Parse, fmt::format("is not a readable PNG: {}", state.message), where}; };
+    const auto broken = [&] {
+        return Error{ErrorCode::Parse, fmt::format("is not a readable PNG: {}", state.message), where};
+    };
     if (!decodeHeader(reader.png, reader.info, state)) return broken();
 
-    const std::uint64_t width = png_get_image_width(reader.png, reader.info), height = png_get_image_height(reader.png, reader.info);
+    const std::uint64_t width = png_get_image_width(reader.png, reader.info),
+                        height = png_get_image_height(reader.png, reader.info);
     // zlib shrinks 1032 times at the very most, and a pixel is at least one bit.
     if (width * height * 3 > kMostImageValues || width * height / 8 > bytes.size() * 1032)
-        return Error{ErrorCode::Parse, fmt::format("{} x {} pixels do not fit in a file of {} bytes", width, height, bytes.size()), where};
+        return Error{ErrorCode::Parse,
+                     fmt::format("{} x {} pixels do not fit in a file of {} bytes", width, height, bytes.size()),
+                     where};
     if (png_get_rowbytes(reader.png, reader.info) != 3 * width)
         return Error{ErrorCode::Internal, "libpng did not convert the picture to 8-bit RGB", where};
     state.image.width = static_cast<int>(width);
@@ -209,10 +219,14 @@ Result<std::string> encoded(const DisplayImage& image, const std::string& where)
 }  // namespace
 
 Result<void> writePng(const fs::path& path, const DisplayImage& image) {
-    const bool sizeFits = image.width > 0 && image.height > 0 && image.width <= kLargestImageSide && image.height <= kLargestImageSide &&
-                          image.rgb.size() == 3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    const bool sizeFits =
+        image.width > 0 && image.height > 0 && image.width <= kLargestImageSide && image.height <= kLargestImageSide &&
+        image.rgb.size() == 3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     if (!sizeFits)
-        return Error{ErrorCode::InvalidArgument, fmt::format("{} bytes for {} x {} pixels, expected 3 a pixel", image.rgb.size(), image.width, image.height), path.string()};
+        return Error{
+            ErrorCode::InvalidArgument,
+            fmt::format("{} bytes for {} x {} pixels, expected 3 a pixel", image.rgb.size(), image.width, image.height),
+            path.string()};
     try {
         const auto bytes = encoded(image, path.string());
         if (!bytes) return bytes.error();

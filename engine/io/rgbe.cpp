@@ -60,7 +60,9 @@ public:
 
 private:
     [[nodiscard]] std::size_t left() const { return bytes_.size() - position_; }
-    [[nodiscard]] unsigned byte(std::size_t ahead) const { return static_cast<unsigned char>(bytes_[position_ + ahead]); }
+    [[nodiscard]] unsigned byte(std::size_t ahead) const {
+        return static_cast<unsigned char>(bytes_[position_ + ahead]);
+    }
     [[nodiscard]] Error failure(const std::string& message) const {
         return {ErrorCode::Parse, fmt::format("scanline {} {}", scanline_, message), name_};
     }
@@ -72,9 +74,11 @@ private:
                 const bool run = byte(0) > 128;
                 const std::size_t count = run ? byte(0) - 128 : byte(0);
                 ++position_;
-                if (count == 0 || count > line.size() - x) return failure(fmt::format("has a run of {} where {} pixels are left", count, line.size() - x));
+                if (count == 0 || count > line.size() - x)
+                    return failure(fmt::format("has a run of {} where {} pixels are left", count, line.size() - x));
                 if (!run && left() < count) return failure("ends too early");
-                for (std::size_t i = 0; i < count; ++i) line[x + i][plane] = static_cast<std::uint8_t>(byte(run ? 0 : i));
+                for (std::size_t i = 0; i < count; ++i)
+                    line[x + i][plane] = static_cast<std::uint8_t>(byte(run ? 0 : i));
                 position_ += run ? 1 : count;
                 x += count;
             }
@@ -99,7 +103,8 @@ private:
             if (shift > 24) return failure("has a run count of more than 32 bits");
             const std::size_t count = static_cast<std::size_t>(p[3]) << shift;
             shift += 8;
-            if (x == 0 || count > line.size() - x) return failure(fmt::format("has a run of {} where {} pixels are left", count, line.size() - x));
+            if (x == 0 || count > line.size() - x)
+                return failure(fmt::format("has a run of {} where {} pixels are left", count, line.size() - x));
             std::fill_n(line.begin() + static_cast<std::ptrdiff_t>(x), count, line[x - 1]);
             x += count;
         }
@@ -117,7 +122,8 @@ Imath::M33d toCandela(const RgbeHeader& header) {
     const double scale = (header.xyz ? 1.0 : kLumensPerWatt) / header.exposure;
     const auto& k = header.correction;
     const Imath::M33d correction(scale / k.r, 0, 0, 0, scale / k.g, 0, 0, 0, scale / k.b);
-    return correction * (header.xyz ? xyzToRgb(kRec709Chromaticities) : rgbToRgb(header.primaries, kRec709Chromaticities));
+    return correction *
+           (header.xyz ? xyzToRgb(kRec709Chromaticities) : rgbToRgb(header.primaries, kRec709Chromaticities));
 }
 
 Result<Image> decodePixels(std::string_view bytes, const RgbeHeader& header, const std::string& name) {
@@ -125,7 +131,10 @@ Result<Image> decodePixels(std::string_view bytes, const RgbeHeader& header, con
     // New runs cover 127 pixels with 2 bytes a plane; the old style's 12 bytes code at most 65,536 pixels, and a
     // scanline of one colour that is wider than 12,288 is not worth letting hostile headers ask for gigabytes.
     if (pixels * 3 > kMostImageValues || pixels > bytes.size() * 1024)
-        return Error{ErrorCode::Parse, fmt::format("{} x {} pixels do not fit in the file's {} bytes", header.width, header.height, bytes.size()), name};
+        return Error{
+            ErrorCode::Parse,
+            fmt::format("{} x {} pixels do not fit in the file's {} bytes", header.width, header.height, bytes.size()),
+            name};
 
     Image image(header.width, header.height, {"R", "G", "B"});
     auto &r = image.channel("R"), &g = image.channel("G"), &b = image.channel("B");
@@ -136,7 +145,8 @@ Result<Image> decodePixels(std::string_view bytes, const RgbeHeader& header, con
         if (auto ok = reader.read(line); !ok) return ok.error();
         for (int fast = 0; fast < header.scanlineLength(); ++fast) {
             const int x = header.columnsFirst ? slow : fast, y = header.columnsFirst ? fast : slow;
-            const auto i = image.index(header.fromRight ? header.width - 1 - x : x, header.fromBottom ? header.height - 1 - y : y);
+            const auto i =
+                image.index(header.fromRight ? header.width - 1 - x : x, header.fromBottom ? header.height - 1 - y : y);
             const Rgb c = transformed(decode(line[static_cast<std::size_t>(fast)]), matrix);
             r[i] = c.r, g[i] = c.g, b[i] = c.b;
         }
@@ -185,8 +195,10 @@ void appendScanline(std::string& out, const std::vector<Rgbe>& line) {
 std::string headerText(const Image& image) {
     const auto c = chromaticitiesOf(image.weights);
     std::string out = "#?RADIANCE\nSOFTWARE=Luxdeck\nFORMAT=32-bit_rle_rgbe\n";
-    out += fmt::format("PRIMARIES= {} {} {} {} {} {} {} {}\n", c.redX, c.redY, c.greenX, c.greenY, c.blueX, c.blueY, c.whiteX, c.whiteY);
-    if (const auto view = image.text.find("VIEW"); view != image.text.end() && view->second.find('\n') == std::string::npos)
+    out += fmt::format("PRIMARIES= {} {} {} {} {} {} {} {}\n", c.redX, c.redY, c.greenX, c.greenY, c.blueX, c.blueY,
+                       c.whiteX, c.whiteY);
+    if (const auto view = image.text.find("VIEW");
+        view != image.text.end() && view->second.find('\n') == std::string::npos)
         out += fmt::format("VIEW= {}\n", view->second);
     return out + fmt::format("\n-Y {} +X {}\n", image.height(), image.width());
 }
@@ -225,7 +237,9 @@ Result<void> writeRgbe(const fs::path& path, const Image& image) {
         for (int x = 0; x < image.width(); ++x) {
             const Rgb& c = pixels[image.index(x, y)];
             if (!isFinite(c))
-                return Error{ErrorCode::InvalidArgument, fmt::format("pixel ({}, {}) is not finite, which RGBE cannot hold: write .exr", x, y), path.string()};
+                return Error{ErrorCode::InvalidArgument,
+                             fmt::format("pixel ({}, {}) is not finite, which RGBE cannot hold: write .exr", x, y),
+                             path.string()};
             line[static_cast<std::size_t>(x)] = encode(c * static_cast<float>(1.0 / kLumensPerWatt));
         }
         appendScanline(bytes, line);

@@ -104,15 +104,18 @@ private:
             header_.view = value.substr(std::min(value.find_first_not_of(' '), value.size()));
         } else if (key == "EXPOSURE" || key == "PIXASPECT") {
             const auto factor = numbers(value, 1);
-            if (!factor || factor->front() <= 0) return failure(fmt::format("{}= is '{}', expected a number above 0", key, value));
+            if (!factor || factor->front() <= 0)
+                return failure(fmt::format("{}= is '{}', expected a number above 0", key, value));
             double& product = key == "EXPOSURE" ? header_.exposure : header_.pixelAspect;
             product *= factor->front();
-            if (!(product > 1e-30 && product < 1e30)) return failure(fmt::format("the product of {}= lines is {}", key, product));
+            if (!(product > 1e-30 && product < 1e30))
+                return failure(fmt::format("the product of {}= lines is {}", key, product));
         } else if (key == "COLORCORR") {
             const auto factors = numbers(value, 3);
             if (!factors || (*factors)[0] <= 0 || (*factors)[1] <= 0 || (*factors)[2] <= 0)
                 return failure(fmt::format("COLORCORR= is '{}', expected three numbers above 0", value));
-            header_.correction *= Rgb(static_cast<float>((*factors)[0]), static_cast<float>((*factors)[1]), static_cast<float>((*factors)[2]));
+            header_.correction *= Rgb(static_cast<float>((*factors)[0]), static_cast<float>((*factors)[1]),
+                                      static_cast<float>((*factors)[2]));
         } else if (key == "PRIMARIES") {
             return readPrimaries(value);
         }

@@ -11,10 +11,10 @@
 #include <OpenEXR/ImfTiledOutputFile.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <unistd.h>
 
 namespace luxdeck {
 namespace {

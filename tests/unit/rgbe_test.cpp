@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
 #include <cmath>
 #include <limits>
-#include <unistd.h>
 
 namespace luxdeck {
 namespace {
@@ -39,7 +39,8 @@ TEST_F(Rgbe, RoundTripsWithinTheFormatsPrecision) {
         RandomStream random(7);
         for (std::size_t i = 0; i < image.pixelCount(); ++i) {
             const auto level = static_cast<float>(std::pow(10.0, -4 + 9 * random.uniform()));
-            for (const char* name : {"R", "G", "B"}) image.channel(name)[i] = i % 3 == 0 ? 50.0F : level * static_cast<float>(random.uniform());
+            for (const char* name : {"R", "G", "B"})
+                image.channel(name)[i] = i % 3 == 0 ? 50.0F : level * static_cast<float>(random.uniform());
         }
         image.text["VIEW"] = "-vtv -vh 60 -vv 40";
         ASSERT_TRUE(writeRgbe(folder / "a.hdr", image));
@@ -58,7 +59,8 @@ TEST_F(Rgbe, RoundTripsWithinTheFormatsPrecision) {
 }
 
 TEST_F(Rgbe, GreyIsLuminanceBy179WhateverThePrimaries) {
-    for (const std::string primaries : {"", "PRIMARIES= .64 .33 .3 .6 .15 .06 .3127 .329\n", "PRIMARIES= .7 .3 .17 .8 .13 .05 .35 .36\n"}) {
+    for (const std::string primaries :
+         {"", "PRIMARIES= .64 .33 .3 .6 .15 .06 .3127 .329\n", "PRIMARIES= .7 .3 .17 .8 .13 .05 .35 .36\n"}) {
         const auto image = parseRgbe(file(primaries, "-Y 1 +X 1", pixel(127, 127, 127, 129)), "grey.hdr");
         ASSERT_TRUE(image) << image.error().text();
         const double expected = 179 * 127.5 / 128;
@@ -75,7 +77,10 @@ TEST_F(Rgbe, LuminanceOfSaturatedColoursSurvivesTheChangeOfPrimaries) {
 }
 
 TEST_F(Rgbe, ExposureAndColourCorrectionMultiplyUp) {
-    const auto image = parseRgbe(file("PRIMARIES= .64 .33 .3 .6 .15 .06 .3127 .329\nEXPOSURE=2\nEXPOSURE= 2.5e+00\nCOLORCORR= 1 2 4\n", "-Y 1 +X 1", pixel(127, 127, 127, 129)), "e.hdr");
+    const auto image =
+        parseRgbe(file("PRIMARIES= .64 .33 .3 .6 .15 .06 .3127 .329\nEXPOSURE=2\nEXPOSURE= 2.5e+00\nCOLORCORR= 1 2 4\n",
+                       "-Y 1 +X 1", pixel(127, 127, 127, 129)),
+                  "e.hdr");
     ASSERT_TRUE(image) << image.error().text();
     const double one = 179 * 127.5 / 128 / 5;
     EXPECT_NEAR(image->channel("R")[0], one, 1e-4);
@@ -84,7 +89,8 @@ TEST_F(Rgbe, ExposureAndColourCorrectionMultiplyUp) {
 }
 
 TEST_F(Rgbe, XyzIsCandelaAlreadyAndEqualEnergyIsWhite) {
-    const auto image = parseRgbe("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n" + pixel(127, 127, 127, 129), "x.hdr");
+    const auto image =
+        parseRgbe("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n" + pixel(127, 127, 127, 129), "x.hdr");
     ASSERT_TRUE(image) << image.error().text();
     for (const char* name : {"R", "G", "B"}) EXPECT_NEAR(image->channel(name)[0], 127.5 / 128, 1e-6);
 }
@@ -105,25 +111,33 @@ TEST_F(Rgbe, AllEightOrientations) {
                     }
                 const std::string xs = right ? "-X 3" : "+X 3", ys = bottom ? "+Y 2" : "-Y 2";
                 const std::string resolution = columns ? xs + " " + ys : ys + " " + xs;
-                const auto image = parseRgbe("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nPRIMARIES= .64 .33 .3 .6 .15 .06 .3127 .329\n\n" + resolution + "\n" + pixels, "o.hdr");
+                const auto image =
+                    parseRgbe("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nPRIMARIES= .64 .33 .3 .6 .15 .06 .3127 .329\n\n" +
+                                  resolution + "\n" + pixels,
+                              "o.hdr");
                 ASSERT_TRUE(image) << image.error().text();
                 ASSERT_EQ(image->width(), 3);
                 ASSERT_EQ(image->height(), 2);
                 for (int i = 0; i < 6; ++i)  // exponent 136 makes mantissas whole numbers
-                    EXPECT_NEAR(image->channel("R")[static_cast<std::size_t>(i)] / 179, 100 + seen[static_cast<std::size_t>(i)] + 0.5, 1e-3) << resolution;
+                    EXPECT_NEAR(image->channel("R")[static_cast<std::size_t>(i)] / 179,
+                                100 + seen[static_cast<std::size_t>(i)] + 0.5, 1e-3)
+                        << resolution;
             }
 }
 
 TEST_F(Rgbe, OldRunsCountToTheBase256) {
     // 1 + 2 + 256 pixels of one colour, in a scanline long enough for the new style too.
-    const auto image = parseRgbe(file("", "-Y 1 +X 259", pixel(9, 8, 7, 128) + pixel(1, 1, 1, 2) + pixel(1, 1, 1, 1)), "r.hdr");
+    const auto image =
+        parseRgbe(file("", "-Y 1 +X 259", pixel(9, 8, 7, 128) + pixel(1, 1, 1, 2) + pixel(1, 1, 1, 1)), "r.hdr");
     ASSERT_TRUE(image) << image.error().text();
     EXPECT_EQ(image->channel("R")[0], image->channel("R")[258]);
     EXPECT_GT(image->channel("R")[258], 0);
 }
 
 TEST_F(Rgbe, HostileFilesAreRefusedWithALine) {
-    const struct { std::string bytes, says; } cases[] = {
+    const struct {
+        std::string bytes, says;
+    } cases[] = {
         {"", "RADIANCE"},
         {"#?RADIANCE\n", "does not end"},
         {"#?RADIANCE\n\n-Y 1 +X 1\n", "FORMAT"},
@@ -141,9 +155,16 @@ TEST_F(Rgbe, HostileFilesAreRefusedWithALine) {
         {file("", "-Y 1 +X 2", "aaaab"), "too early"},
         {file("", "-Y 1 +X 9", std::string("\2\2\0\12", 4)), "coded as"},
         {file("", "-Y 1 +X 9", std::string("\2\2\0\11\0a", 6)), "run of 0"},
-        {file("", "-Y 1 +X 9", std::string("\2\2\0\11\xff" "a", 6)), "run of 127"},
+        {file("", "-Y 1 +X 9",
+              std::string("\2\2\0\11\xff"
+                          "a",
+                          6)),
+         "run of 127"},
         {file("", "-Y 1 +X 2", pixel(1, 1, 1, 1) + pixel(1, 1, 1, 1)), "run of 1"},
-        {file("", "-Y 1 +X 9", pixel(5, 1, 1, 1) + pixel(1, 1, 1, 0) + pixel(1, 1, 1, 0) + pixel(1, 1, 1, 0) + pixel(1, 1, 1, 0) + pixel(1, 1, 1, 0)), "32 bits"},
+        {file("", "-Y 1 +X 9",
+              pixel(5, 1, 1, 1) + pixel(1, 1, 1, 0) + pixel(1, 1, 1, 0) + pixel(1, 1, 1, 0) + pixel(1, 1, 1, 0) +
+                  pixel(1, 1, 1, 0)),
+         "32 bits"},
     };
     for (const auto& c : cases) {
         const auto image = parseRgbe(c.bytes, "x.hdr");
