@@ -2,7 +2,7 @@
 #include "tests/fuzz/fuzz_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-    static const luxdeck::fuzz::InputFolder folder;
+    static luxdeck::fuzz::InputFolder folder;
     const auto input = luxdeck::fuzz::text(bytes, size);
     // The same bytes serve as the material file: "mtllib input.mtl" in an input reads itself.
     folder.write("input.mtl", input);

@@ -15,7 +15,7 @@ struct ProjectFolder : luxdeck::fuzz::InputFolder {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-    static const ProjectFolder folder;
+    static ProjectFolder folder;
     const auto path = folder.write("project.toml", luxdeck::fuzz::text(bytes, size));
     luxdeck::fuzz::expectValueOrMessage(luxdeck::loadProject(path));
     return 0;

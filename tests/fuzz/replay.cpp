@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <iterator>
 #include <vector>
 
@@ -22,8 +23,11 @@ constexpr std::size_t kMostVariants = 400;
 
 class Replay {
 public:
-    explicit Replay(std::string reader)
+    explicit Replay(const std::string& reader)
         : lastInput_(fs::temp_directory_path() / ("luxdeck-replay-" + reader + "-" + std::to_string(::getpid()))) {}
+    ~Replay() { fs::remove(lastInput_.path()); }
+    Replay(const Replay&) = delete;
+    Replay& operator=(const Replay&) = delete;
 
     void file(const fs::path& path) {
         std::ifstream in(path, std::ios::binary);
@@ -42,17 +46,15 @@ public:
     }
 
     [[nodiscard]] std::size_t count() const { return count_; }
-    void finish() const { fs::remove(lastInput_); }
 
 private:
     void input(const Bytes& bytes) {
-        std::ofstream(lastInput_, std::ios::binary)
-            .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+        lastInput_.write(luxdeck::fuzz::text(bytes.data(), bytes.size()));
         LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
         ++count_;
     }
 
-    fs::path lastInput_;
+    luxdeck::fuzz::InputFile lastInput_;
     std::size_t count_ = 0;
 };
 
@@ -73,7 +75,6 @@ int main(int argc, char** argv) {
         std::fflush(stdout);
         replay.file(path);
     }
-    replay.finish();
     std::printf("%zu inputs made of %zu files\n", replay.count(), files.size());
     return files.empty() ? 1 : 0;
 }
