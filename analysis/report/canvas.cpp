@@ -1,6 +1,7 @@
 #include "analysis/report/canvas.h"
 
 #include <QFontDatabase>
+#include <QFontInfo>
 #include <QFontMetricsF>
 #include <QTextLayout>
 
@@ -16,7 +17,8 @@ QString reportFontFamily() {
     const auto families = QFontDatabase().families();
     for (const char* wanted : {"Inter", "DejaVu Sans", "Noto Sans", "Liberation Sans", "FreeSans"})
         if (families.contains(wanted)) return wanted;
-    return families.isEmpty() ? QString() : families.front();
+    // fontconfig's aliases ("Serif") are listed even when nothing stands behind them.
+    return families.isEmpty() ? QString() : QFontInfo(QFont(families.front())).family();
 }
 
 QColor verdictColour(Verdict verdict) {

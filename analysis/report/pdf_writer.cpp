@@ -32,12 +32,24 @@ constexpr int kDotsPerInch = 1200;
 /// Qt needs an application for fonts; the command line has none, the desktop program has its own.
 void ensureApplication() {
     if (QCoreApplication::instance() != nullptr) return;
-    qSetGlobalQHashSeed(0);  // Qt's hash order decides the order of a PDF's parts: it must not be random
     static int count = 3;
     static char name[] = "luxdeck", option[] = "-platform", platform[] = "offscreen";
     static char* arguments[] = {name, option, platform, nullptr};
     new QGuiApplication(count, arguments);  // kept to the end of the process: Qt allows only one, ever
 }
+
+/// Qt writes a PDF's fonts in the order of a hash table, which is random from process to process unless its
+/// seed is fixed. Tables that exist keep the seed they were made with, so this disturbs nobody.
+class FixedHashOrder {
+public:
+    FixedHashOrder() { qSetGlobalQHashSeed(0); }
+    ~FixedHashOrder() { qSetGlobalQHashSeed(before_ == 0 ? 0 : -1); }
+    FixedHashOrder(const FixedHashOrder&) = delete;
+    FixedHashOrder& operator=(const FixedHashOrder&) = delete;
+
+private:
+    int before_ = qGlobalQHashSeed();
+};
 
 void layOut(QPdfWriter& writer, const ReportContents& contents, const QString& family, const Pagination* known,
             Pagination& found) {
@@ -118,6 +130,7 @@ Result<std::string> pngBytes(const DisplayImage& image) {
 
 Result<std::string> pdfBytes(const ReportContents& contents) {
     ensureApplication();
+    const FixedHashOrder fixedOrder;
     if (auto checked = checkViews(contents); !checked) return checked.error();
     const auto family = reportFontFamily();
     if (family.isEmpty())

@@ -37,11 +37,11 @@ struct MaterialRow {
 /// The colours of a false-colour picture, from the darkest to the brightest value. The report prints the legend:
 /// the picture itself should have none.
 struct ColourScale {
-    std::string map = "dusk";        // as tonemap::colourMapNamed() knows it
     std::string unit;                // "cd/m²"
     double minimum = 0;
     double maximum = 0;
     bool logarithmic = false;        // equal steps of colour are equal ratios
+    std::string map = "dusk";        // as tonemap::colourMapNamed() knows it
 };
 
 /// A picture of the room, ready to print.

@@ -74,7 +74,7 @@ template <class A> void visit(A& a, RoomPlan& x) {
     a("cutHeightM", x.cutHeightM), a("segments", x.segments), a("luminaires", x.luminaires);
 }
 template <class A> void visit(A& a, ColourScale& x) {
-    a("map", x.map), a("unit", x.unit), a("minimum", x.minimum), a("maximum", x.maximum), a("logarithmic", x.logarithmic);
+    a("unit", x.unit), a("minimum", x.minimum), a("maximum", x.maximum), a("logarithmic", x.logarithmic), a("map", x.map);
 }
 template <class A> void visit(A& a, ReportView& x) {
     a("name", x.name), a("operator", x.operatorName), a("operatorText", x.operatorText), a("exposure", x.exposure);

@@ -119,7 +119,7 @@ void drawSummary(Document& document) {
                                                   "This project has no calculation surfaces.", type::kBody) + 5;
     } else {
         drawTable(document,
-                  {{"Surface", 52}, {"Statistic", 29}, {"Required", 22}, {"Computed, 95 % interval", 34}, {"Verdict", 23}, {"Page", 10}},
+                  {{"Surface", 48}, {"Statistic", 29}, {"Required", 22}, {"Computed, 95 % interval", 34}, {"Verdict", 27}, {"Page", 10}},
                   rows);
     }
     drawNotes(document);

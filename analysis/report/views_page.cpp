@@ -61,9 +61,10 @@ void drawView(Document& document, const ReportView& view) {
                : canvas.image({sheet::kLeft, document.y, width, height}, picture);
     document.y += height + 5;
     const auto heading = line(view.name);
-    const auto name = canvas.elided(heading, sheet::kTextWidth * 0.62, type::kStrong);
+    const double right = std::max(sheet::kLeft + width, sheet::column(2));  // the operator ends with its picture
+    const auto name = canvas.elided(heading, (right - sheet::kLeft) * 0.62, type::kStrong);
     canvas.text(sheet::kLeft, document.y, name, type::kStrong);
-    canvas.text(sheet::kRight, document.y, line((view.scale ? "" : "Operator: ") + view.operatorName),
+    canvas.text(right, document.y, line((view.scale ? "" : "Operator: ") + view.operatorName),
                 type::kStrong.with(ink::kAccent).aligned(Align::Right));
     document.y += 1.2;
     document.y += canvas.paragraph(sheet::kLeft, document.y, sheet::kTextWidth, captionOf(view), type::kSmall);

@@ -203,7 +203,7 @@ inline ReportContents office() {
     c.solve = officeSolve();
     c.views = {{"From the door", "human", "Adaptation of a normal eye: what is visible in the room is visible in the picture.", "world adaptation 118 cd/m²", 12.4, 0.021, officePicture(720, 450, 330, 0.88), {}},
                {"From the door, as a camera sees it", "camera", "One exposure for the whole picture, film curve in the highlights.", "1/30 s at f/5.6, ISO 200", 12.4, 0.021, officePicture(720, 450, 620, 1), {}},
-               {"Luminance from the door", "false colour", "Luminance, not passed through any tone curve.", "", 12.4, 0.021, officeFalseColour(720, 450), ColourScale{"dusk", "cd/m²", 1, 10000, true}}};
+               {"Luminance from the door", "false colour", "Luminance, not passed through any tone curve.", "", 12.4, 0.021, officeFalseColour(720, 450), ColourScale{"cd/m²", 1, 10000, true, "dusk"}}};
     c.methodText = "Light is followed backwards from each point of a calculation surface along random paths until it meets a luminaire. "
                    "The mean over many paths tends to the exact solution of the model; their spread gives the interval.";
     c.facts = {{"Machine", "Example CPU, 2 logical cores"}, {"Operating system", "Linux 6.1.0 x86_64"}, {"Project file", "project.toml"}};
