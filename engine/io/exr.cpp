@@ -187,6 +187,7 @@ Result<void> scaleToCandela(Image& image, const std::string& where) {
         for (float& value : image.channel(name)) value *= scale;
     }
     found->second = 1.0;
+    image.text["luxdeck:unit"] = "cd/m^2";
     return {};
 }
 
