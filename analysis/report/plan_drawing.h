@@ -6,7 +6,8 @@
 #include <QPointF>
 #include <QRectF>
 
-#include <array>
+#include <algorithm>
+#include <vector>
 
 namespace luxdeck::report {
 

@@ -1,6 +1,7 @@
 #include "analysis/report/plan_section.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>

@@ -103,11 +103,15 @@ private:
         error_ = Error{ErrorCode::Parse, fmt::format("saw {}, expected {}", text, expected), place};
     }
 
+    static bool isText(const Json& json, const char* text) {
+        return json.is_string() && json.get_ref<const std::string&>() == text;
+    }
+
     void read(const Json& json, const std::string& place, double& value) {
         if (json.is_number()) value = json.get<double>();
         else if (json.is_null()) value = std::numeric_limits<double>::infinity();
-        else if (json == "NaN") value = std::numeric_limits<double>::quiet_NaN();
-        else if (json == "-Infinity") value = -std::numeric_limits<double>::infinity();
+        else if (isText(json, "NaN")) value = std::numeric_limits<double>::quiet_NaN();
+        else if (isText(json, "-Infinity")) value = -std::numeric_limits<double>::infinity();
         else fail(place, json, "a number");
     }
     void read(const Json& json, const std::string& place, bool& value) {

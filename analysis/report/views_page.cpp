@@ -2,6 +2,7 @@
 
 #include "analysis/report/number_format.h"
 #include "tonemap/colour_map.h"
+#include "tonemap/isolines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,11 +35,9 @@ void drawScale(Canvas& canvas, double y, const ColourScale& scale) {
     canvas.image({sheet::kLeft, y}, {width, 0}, {0, height}, bar, false);
     const TextStyle label{6.5, QFont::Normal, ink::kGrey, Align::Centre};
     const bool logarithmic = scale.logarithmic && scale.minimum > 0 && scale.maximum > scale.minimum;
-    constexpr int kLabels = 6;
-    for (int i = 0; i <= kLabels; ++i) {
-        const double t = static_cast<double>(i) / kLabels;
-        const double value = logarithmic ? scale.minimum * std::pow(scale.maximum / scale.minimum, t)
-                                         : scale.minimum + (scale.maximum - scale.minimum) * t;
+    for (const double value : tonemap::roundLevels(scale.minimum, scale.maximum, 6, logarithmic)) {
+        const double t = logarithmic ? std::log(value / scale.minimum) / std::log(scale.maximum / scale.minimum)
+                                     : (value - scale.minimum) / (scale.maximum - scale.minimum);
         canvas.stroke(sheet::kLeft + width * t, y + height, sheet::kLeft + width * t, y + height + 1, ink::kGrey, 0.2);
         canvas.text(sheet::kLeft + width * t, y + height + 3.8, line(formatNumber(value, 2)), label);
     }
