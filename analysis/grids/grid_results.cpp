@@ -40,7 +40,7 @@ JudgedInterval judged(const Interval& interval, std::optional<double> required) 
     return {interval, required, judge(interval, required)};
 }
 
-void addStatistics(GridResult& grid, std::span<const PointSums> sums, std::uint64_t seed) {
+void addStatistics(GridResult& grid, std::span<const PointSums> sums) {
     Interval unknown{0, std::numeric_limits<double>::infinity()};
     GridInterval statistics{unknown, unknown, unknown, 0};
     const bool known = std::all_of(sums.begin(), sums.end(), [](const auto& s) { return s.perReplicate > 0; });
@@ -49,7 +49,7 @@ void addStatistics(GridResult& grid, std::span<const PointSums> sums, std::uint6
         replicates.reserve(sums.size() * kReplicates);
         for (const auto& s : sums)
             for (const double mean : s.totalMeans()) replicates.push_back(mean);
-        statistics = gridInterval(replicates, sums.size(), seed);
+        statistics = gridInterval(replicates, sums.size());
     }
     grid.mean = judged(statistics.mean, strictest(grid.requirements, &Requirement::meanLux));
     grid.minimum = judged(statistics.minimum, strictest(grid.requirements, &Requirement::minimumLux));
@@ -60,7 +60,7 @@ void addStatistics(GridResult& grid, std::span<const PointSums> sums, std::uint6
 }  // namespace
 
 std::vector<GridResult> gridResults(const Project& project, const std::vector<GridLayout>& layouts,
-                                    const std::vector<PointSums>& sums, std::uint64_t seed) {
+                                    const std::vector<PointSums>& sums) {
     std::vector<GridResult> results;
     std::size_t first = 0;
     for (std::size_t g = 0; g < layouts.size(); ++g) {
@@ -77,7 +77,7 @@ std::vector<GridResult> gridResults(const Project& project, const std::vector<Gr
         if (layout.rows > 0) grid.spacingV = layout.v.length() / layout.rows;
         grid.requirements = spec.requirements;
         for (std::size_t i = 0; i < own.size(); ++i) grid.points.push_back(pointResult(layout, i, own[i]));
-        addStatistics(grid, own, streamSeed(seed, g, 0x6712d));
+        addStatistics(grid, own);
         results.push_back(std::move(grid));
     }
     return results;

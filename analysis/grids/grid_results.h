@@ -12,9 +12,8 @@ namespace luxdeck {
 ///
 /// layouts  #G, of project.grids
 /// sums     of all points, grid after grid
-/// seed     of the intervals' bootstrap
 std::vector<GridResult> gridResults(const Project& project, const std::vector<GridLayout>& layouts,
-                                    const std::vector<PointSums>& sums, std::uint64_t seed);
+                                    const std::vector<PointSums>& sums);
 
 /// Half-width over value; 0 where light is certainly nil.
 double relativeError(const Interval& interval);

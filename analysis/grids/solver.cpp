@@ -74,7 +74,7 @@ private:
 
     /// Turns the sums into results and enters the error into the trace.
     void assess() {
-        result_.grids = gridResults(project_, layouts_, run_.sums(), settings_.seed);
+        result_.grids = gridResults(project_, layouts_, run_.sums());
         ErrorAtTime entry{run_.seconds(), largestStatisticError(result_.grids), rmsPointError(result_.grids),
                           run_.counters().paths};
         state_.errorPercent = 100 * std::max(entry.relativeError, entry.rmsPointError);

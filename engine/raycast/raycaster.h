@@ -16,9 +16,9 @@ inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 inline constexpr std::uint32_t kNothing = 0xffffffffU;
 
 struct Ray {
-    Vec3 origin;            // [m], re-based
+    Vec3 origin{0, 0, 0};   // [m], re-based
     float tMin = 0;         // >= 0
-    Vec3 direction;         // unit
+    Vec3 direction{0, 0, 1};// unit
     float tMax = kInfinity;
 };
 

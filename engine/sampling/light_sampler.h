@@ -13,7 +13,7 @@ namespace luxdeck {
 
 /// A direction towards a light, chosen by next-event estimation.
 struct LightSample {
-    Vec3 direction;            // unit, from the point to the light
+    Vec3 direction{0, 0, 1};   // unit, from the point to the light
     float distance = 0;        // [m]
     Rgb weight;                // radiance over density; of a point light: intensity / d^2 over probability
     float pdfSolidAngle = 0;   // density of the direction; 0: a point, which no other strategy can find
@@ -24,7 +24,7 @@ struct LightSample {
 
 /// Where light is asked for. `normal` is zero for a sensor that looks all around.
 struct Receiver {
-    Vec3 position;
+    Vec3 position{0, 0, 0};
     Vec3 normal{0, 0, 0};
     bool glossy = false;       // scatters into narrow lobes, which find lights better than choosing them
 };

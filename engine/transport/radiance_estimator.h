@@ -49,7 +49,7 @@ enum class SensorKind : std::uint8_t { Planar, Cylindrical };
 
 /// One sample of the light that falls on a point.
 struct SensorQuery {
-    Vec3 position;             // [m], re-based
+    Vec3 position{0, 0, 0};    // [m], re-based
     Vec3 normal{0, 0, 1};      // unit; of a cylindrical sensor: its axis
     SensorKind kind = SensorKind::Planar;
     SamplePath numbers;

@@ -1,0 +1,100 @@
+#include "cli/command.h"
+
+#include "engine/core/file.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+
+namespace luxdeck::cli {
+
+Exit exitOf(ErrorCode code) {
+    switch (code) {
+        case ErrorCode::InvalidArgument:
+        case ErrorCode::FileNotFound:
+        case ErrorCode::Parse:
+        case ErrorCode::Unsupported: return Exit::BadInput;
+        case ErrorCode::OutOfResources: return Exit::Resources;
+        case ErrorCode::Cancelled: return Exit::Interrupted;
+        case ErrorCode::Internal: return Exit::Internal;
+    }
+    return Exit::Internal;
+}
+
+Exit complain(const Error& error) {
+    fmt::print(stderr, "luxdeck: {}\n", error.text());
+    return exitOf(error.code);
+}
+
+AlgorithmSettings Effort::settings() const {
+    AlgorithmSettings s;
+    s.ambientLux = ambientLux;
+    return s;
+}
+
+namespace {
+
+/// The number at the start of `text`, and what follows it.
+bool splitNumber(const std::string& text, double& value, std::string& unit) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    unit.assign(end, text.data() + text.size());
+    return error == std::errc{};
+}
+
+}  // namespace
+
+std::string parsePercent(const std::string& text, double& value) {
+    std::string unit;
+    if (!splitNumber(text, value, unit) || (!unit.empty() && unit != "%"))
+        return fmt::format("\"{}\" is not an error, expected a percentage such as 2% or a fraction such as 0.02", text);
+    if (unit == "%") value /= 100;
+    if (!(value > 0 && value < 1)) return fmt::format("{} is not an error, expected more than 0 and less than 100 %", text);
+    return {};
+}
+
+std::string parseSeconds(const std::string& text, double& value) {
+    std::string unit;
+    const bool number = splitNumber(text, value, unit);
+    const double factor = unit.empty() || unit == "s" ? 1 : unit == "min" ? 60 : unit == "h" ? 3600 : 0;
+    if (!number || factor == 0 || !(value > 0 && value < 1e9))
+        return fmt::format("\"{}\" is not a time, expected seconds (60, 60s) or minutes (1.5min)", text);
+    value *= factor;
+    return {};
+}
+
+void addEffort(CLI::App& app, Effort& effort) {
+    std::vector<std::string> names;
+    std::string summaries;
+    for (const auto& a : algorithms()) {
+        names.push_back(a.name);
+        summaries += fmt::format("{}{}: {}", summaries.empty() ? "" : "; ", a.name, a.summary);
+    }
+    app.add_option("--algorithm", effort.algorithm, "How light is computed. " + summaries)
+        ->check(CLI::IsMember(names))->capture_default_str();
+    app.add_option("--ambient", effort.ambientLux, "Constant ambient illuminance of --algorithm ambient, in lx")
+        ->check(CLI::Range(0.0, 1e6))->capture_default_str();
+    app.add_option_function<std::string>("--target-error", [&effort](const std::string& text) {
+        double value = 0;
+        if (const auto wrong = parsePercent(text, value); !wrong.empty()) throw CLI::ValidationError("--target-error", wrong);
+        effort.targetError = value;
+    }, "Stop when every number is known to this (95 % interval over value): 2%, 0.02")->type_name("P");
+    app.add_option_function<std::string>("--time", [&effort](const std::string& text) {
+        double value = 0;
+        if (const auto wrong = parseSeconds(text, value); !wrong.empty()) throw CLI::ValidationError("--time", wrong);
+        effort.timeSeconds = value;
+    }, "Stop after this time: 60, 60s, 1.5min")->type_name("S");
+    app.add_option_function<std::uint32_t>("--samples", [&effort](std::uint32_t n) { effort.samples = n; },
+        "Exactly this many paths for each point (or pixel), instead of a target")->check(CLI::Range(1, 1 << 30))->type_name("N");
+}
+
+Result<void> writeOutput(const std::string& path, const std::string& bytes) {
+    if (path != "-") return writeFileAtomically(path, bytes);
+    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
+        return Error{ErrorCode::OutOfResources, fmt::format("cannot be written: {}", std::strerror(errno)), "stdout"};
+    return {};
+}
+
+}  // namespace luxdeck::cli

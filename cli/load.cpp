@@ -1,0 +1,38 @@
+#include "cli/load.h"
+
+#include "analysis/grids/sampling_run.h"
+
+#include <fmt/format.h>
+
+namespace luxdeck::cli {
+
+void printWarnings(const std::vector<std::string>& warnings, bool quiet) {
+    if (quiet) return;
+    for (const auto& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
+}
+
+Result<std::unique_ptr<Loaded>> load(const std::string& path, bool quiet) {
+    const Stopwatch clock;
+    auto project = loadProject(path);
+    if (!project) return project.error();
+    printWarnings(project->scene.warnings, quiet);
+    auto loaded = std::make_unique<Loaded>();
+    loaded->project = *std::move(project);
+    auto lit = LitScene::create(loaded->project.scene);
+    if (!lit) return lit.error();
+    loaded->lit = *std::move(lit);
+    loaded->seconds = clock.seconds();
+    return loaded;
+}
+
+Result<const View*> findView(const Project& project, const std::string& name) {
+    std::string known;
+    for (const auto& view : project.views) {
+        if (name.empty() || view.name == name) return &view;
+        known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", view.name);
+    }
+    if (known.empty()) return Error{ErrorCode::InvalidArgument, "has no view: add a [[view]] (docs/project-format.md)", project.file.string()};
+    return Error{ErrorCode::InvalidArgument, fmt::format("no view \"{}\", expected one of: {}", name, known), project.file.string()};
+}
+
+}  // namespace luxdeck::cli

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "engine/io/project.h"
+#include "engine/transport/lit_scene.h"
+
+#include <memory>
+#include <string>
+
+namespace luxdeck::cli {
+
+/// A project with all that light needs. On the heap: the parts refer to each other.
+struct Loaded {
+    Project project;
+    LitScene lit;
+    double seconds = 0;  // reading and building
+};
+
+/// Reads a project or a bare scene and makes it ready; prints its warnings unless quiet.
+Result<std::unique_ptr<Loaded>> load(const std::string& path, bool quiet);
+
+void printWarnings(const std::vector<std::string>& warnings, bool quiet);
+
+/// The view of that name, or the first when the name is empty.
+///
+/// errors  InvalidArgument listing the views there are
+Result<const View*> findView(const Project& project, const std::string& name);
+
+}  // namespace luxdeck::cli

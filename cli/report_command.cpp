@@ -1,0 +1,191 @@
+#ifdef LUXDECK_REPORT
+
+#include "analysis/pictures/render.h"
+#include "analysis/report/pdf_writer.h"
+#include "analysis/report/report_gather.h"
+#include "analysis/report/report_json.h"
+#include "cli/command.h"
+#include "cli/load.h"
+#include "cli/solve_run.h"
+#include "cli/tone.h"
+#include "engine/core/file.h"
+#include "tonemap/falsecolor.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+
+namespace luxdeck::cli {
+
+namespace {
+
+struct Options {
+    std::string project, output, from;
+    Effort effort;
+    double viewSeconds = 6;
+    bool falseColour = true;
+};
+
+/// Now, or SOURCE_DATE_EPOCH for reproducible documents.
+std::string createdNow() {
+    std::time_t now = std::time(nullptr);
+    if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) now = std::strtoll(epoch, nullptr, 10);
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+}
+
+std::string methodText(const std::string& algorithm) {
+    std::string summary;
+    for (const auto& a : algorithms())
+        if (a.name == algorithm) summary = a.summary;
+    return fmt::format("Light was computed by \"{}\": {}. Every value is the mean of {} independently scrambled quasi-random sample sets; its 95 % interval "
+                       "follows from their spread (Student's t). The interval of a grid's mean accounts for its points' independent errors; minimum and "
+                       "uniformity have intervals of their own, since the smallest of uncertain values is biased. A requirement is met or not met when the "
+                       "whole interval is on one side of the limit, and undecided otherwise. Intervals hold for this model of the room: they say nothing "
+                       "of errors in reflectances, photometry or maintenance factors.", algorithm, summary, 32);
+}
+
+/// One view as an eye would see it, and in false colour for the first.
+class ViewPages {
+public:
+    ViewPages(const Loaded& loaded, const Options& o, Context& context) : loaded_(loaded), o_(o), context_(context) {}
+
+    Result<void> add(const View& view, bool alsoFalseColour, ReportContents& contents) {
+        RenderSettings settings;
+        settings.algorithm = o_.effort.algorithm;
+        settings.algorithmSettings = o_.effort.settings();
+        settings.seed = context_.common.seed;
+        settings.targetError = 0.005;
+        settings.timeSeconds = o_.viewSeconds;
+        const auto picture = render(loaded_.project, loaded_.lit, view, settings, context_.progress);
+        if (!picture) return picture.error();
+        if (picture->samplesPerPixel == 0) return {};  // interrupted before there was one
+        if (auto ok = addToneMapped(view, *picture, contents); !ok) return ok;
+        return alsoFalseColour ? addFalseColour(view, *picture, contents) : Result<void>{};
+    }
+
+private:
+    static ReportView pageOf(const View& view, const RenderResult& picture) {
+        ReportView page;
+        page.name = view.name;
+        page.seconds = picture.seconds;
+        page.relativeError = picture.relativeError;
+        return page;
+    }
+
+    Result<void> addToneMapped(const View& view, const RenderResult& picture, ReportContents& contents) const {
+        auto shown = show(picture.image, {});
+        if (!shown) return shown.error();
+        auto png = pngBytes(shown->image);
+        if (!png) return png.error();
+        auto page = pageOf(view, picture);
+        page.operatorName = std::string(name(shown->record.op));
+        page.operatorText = operatorText(shown->record);
+        page.exposure = shown->record.factor > 0 ? fmt::format("1 cd/m² shown as {:.3g} cd/m²", shown->record.factor) : "";
+        page.png = *std::move(png);
+        contents.views.push_back(std::move(page));
+        displayTransform_ = shown->transform;
+        return {};
+    }
+
+    Result<void> addFalseColour(const View& view, const RenderResult& picture, ReportContents& contents) const {
+        auto field = tonemap::luminanceField(picture.image);
+        if (!field) return field.error();
+        tonemap::FalseColourSettings settings;
+        settings.legend = false;  // the page draws its own
+        settings.range = tonemap::roundedRange(*field, settings.logarithmic);
+        auto coloured = tonemap::falseColour(*field, settings);
+        if (!coloured) return coloured.error();
+        auto png = pngBytes(*coloured);
+        if (!png) return png.error();
+        auto page = pageOf(view, picture);
+        page.operatorName = "false colour";
+        page.operatorText = "Luminance as colours; no tone curve and no colour management in between.";
+        page.png = *std::move(png);
+        page.scale = ColourScale{"cd/m²", settings.range->low, settings.range->high, settings.logarithmic};
+        contents.views.push_back(std::move(page));
+        return {};
+    }
+
+    const Loaded& loaded_;
+    const Options& o_;
+    Context& context_;
+    mutable std::string displayTransform_;
+
+public:
+    [[nodiscard]] const std::string& displayTransform() const { return displayTransform_; }
+};
+
+Result<void> writeBoth(const ReportContents& contents, const Options& o) {
+    auto twin = std::filesystem::path(o.output).replace_extension(".json");
+    const auto json = toJson(contents);
+    if (!json) return json.error();
+    if (auto ok = writeFileAtomically(twin, *json); !ok) return ok;
+    return writePdf(contents, o.output);
+}
+
+Exit finish(const ReportContents& contents, const Options& o, const Context& context) {
+    if (const auto written = writeBoth(contents, o); !written) return complain(written.error());
+    if (context.common.json) {
+        const auto json = toJson(contents);
+        if (!json) return complain(json.error());
+        if (const auto told = writeOutput("-", *json); !told) return complain(told.error());
+    } else if (!context.common.quiet) {
+        fmt::print("{}{}\n", solveText(contents.solve), fmt::format("\nreport: {} and its JSON twin", o.output));
+    }
+    return exitOf(contents.solve);
+}
+
+Exit runReport(const Options& o, Context& context) {
+    if (!o.from.empty()) {
+        const auto bytes = readFile(o.from);
+        if (!bytes) return complain(bytes.error());
+        auto contents = fromJson(*bytes);
+        if (!contents) return complain({contents.error().code, contents.error().text(), o.from});
+        const auto written = writePdf(*contents, o.output);
+        return written ? Exit::Ok : complain(written.error());
+    }
+    auto loaded = load(o.project, context.common.quiet);
+    if (!loaded) return complain(loaded.error());
+    auto solved = runSolve(**loaded, o.effort, context, 0.02);
+    if (!solved) return complain(solved.error());
+    auto contents = gatherReport((*loaded)->project, *std::move(solved), createdNow());
+    contents.methodText = methodText(o.effort.algorithm);
+    ViewPages pages(**loaded, o, context);
+    bool first = true;
+    for (const auto& view : (*loaded)->project.views) {
+        if (context.progress.cancelled()) break;
+        if (const auto ok = pages.add(view, first && o.falseColour, contents); !ok) return complain(ok.error());
+        first = false;
+    }
+    if (context.progress.cancelled()) contents.solve.complete = false;
+    if (!pages.displayTransform().empty()) contents.facts.push_back({"Display transform", "OpenColorIO: " + pages.displayTransform()});
+    return finish(contents, o, context);
+}
+
+}  // namespace
+
+Command addReport(CLI::App& program) {
+    const auto o = std::make_shared<Options>();
+    auto* app = program.add_subcommand("report", "The report as PDF with a JSON twin: verdicts, plans, schedule, pictures, error against run time");
+    auto* project = app->add_option("project", o->project, "project.toml")->type_name("PROJECT");
+    app->add_option("-o,--output", o->output, "The PDF; the twin lies beside it as .json")->required()->type_name("F.pdf");
+    auto* from = app->add_option("--from", o->from, "Make the PDF from a JSON twin instead of a project")->type_name("F.json");
+    project->excludes(from);
+    app->add_option_function<std::string>("--view-time", [o](const std::string& text) {
+        if (const auto wrong = parseSeconds(text, o->viewSeconds); !wrong.empty()) throw CLI::ValidationError("--view-time", wrong);
+    }, "Time for each picture (default 6 s)")->type_name("S");
+    app->add_flag("!--no-false-colour", o->falseColour, "Leave out the false-colour page");
+    addEffort(*app, o->effort);
+    app->final_callback([o] {
+        if (o->project.empty() && o->from.empty()) throw CLI::RequiredError("PROJECT or --from");
+    });
+    return {app, [o](Context& context) { return runReport(*o, context); }};
+}
+
+}  // namespace luxdeck::cli
+
+#endif

@@ -1,0 +1,169 @@
+#include "analysis/grids/sampling_run.h"
+#include "cli/command.h"
+#include "cli/line_reader.h"
+#include "cli/load.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace luxdeck::cli {
+
+namespace {
+
+struct Options {
+    std::string scene;
+    bool radiance = false;
+    bool irradiance = false;
+    bool cylindrical = false;
+    Effort effort;
+};
+
+/// Lines answered together: enough to keep all threads busy, few enough to bound memory.
+constexpr std::size_t kMostLines = 2048;
+/// Without a fixed number, an answer may take this many paths at most.
+constexpr std::uint32_t kMostPerReplicate = 8192;
+
+/// The six numbers of a line; false: not six finite numbers, or a direction without length.
+bool parse(const std::string& line, std::array<double, 6>& v) {
+    const char* at = line.data();
+    const char* end = at + line.size();
+    for (auto& x : v) {
+        while (at < end && (*at == ' ' || *at == '\t' || *at == ',')) ++at;
+        const auto [next, error] = std::from_chars(at, end, x);
+        if (error != std::errc{} || !std::isfinite(x)) return false;
+        at = next;
+    }
+    while (at < end && (*at == ' ' || *at == '\t' || *at == '\r')) ++at;
+    return at == end && Vec3d(v[3], v[4], v[5]).length() > 0;
+}
+
+Target targetOf(const std::array<double, 6>& v, const Scene& scene, const Options& o, std::uint64_t stream) {
+    const Vec3 position = scene.toRebased({v[0], v[1], v[2]});
+    const Vec3 direction = Vec3(Vec3d(v[3], v[4], v[5]).normalized());
+    Target t;
+    t.radiance = o.radiance;
+    t.stream = stream;
+    t.ray.origin = position, t.ray.direction = direction;
+    t.sensor.position = position, t.sensor.normal = direction;
+    t.sensor.kind = o.cylindrical ? SensorKind::Cylindrical : SensorKind::Planar;
+    return t;
+}
+
+/// Answers lines in their order, batch by batch.
+class Sense {
+public:
+    Sense(const Loaded& loaded, const RadianceEstimator& estimator, const Options& o, Context& context)
+        : loaded_(loaded), estimator_(estimator), o_(o), context_(context) {}
+
+    /// returns the answers, a line each; sets badLine() when one could not be read
+    std::string answer(const std::vector<std::string>& lines) {
+        std::vector<Target> targets;
+        std::vector<bool> good;
+        for (const auto& line : lines) {
+            std::array<double, 6> v{};
+            good.push_back(parse(line, v));
+            if (good.back()) targets.push_back(targetOf(v, loaded_.project.scene, o_, lineNumber_));
+            else complainOf(line);
+            ++lineNumber_;
+        }
+        SamplingRun run(estimator_, loaded_.project.scene.weights, std::move(targets), context_.common.seed);
+        sample(run);
+        std::string out;
+        std::size_t next = 0;
+        for (const bool ok : good) {
+            static const PointSums kNone;
+            out += text(ok ? run.sums()[next] : kNone);
+            next += ok ? 1 : 0;
+        }
+        return out;
+    }
+
+    [[nodiscard]] bool badLine() const { return bad_; }
+    [[nodiscard]] bool missedTarget() const { return missed_; }
+
+private:
+    void complainOf(const std::string& line) {
+        bad_ = true;
+        fmt::print(stderr, "luxdeck: stdin:{}: \"{}\", expected six numbers: x y z dx dy dz\n", lineNumber_ + 1, line.substr(0, 80));
+    }
+
+    void sample(SamplingRun& run) {
+        ProgressState state;
+        state.stage = "sensing";
+        const double target = o_.effort.targetError.value_or(0.02);
+        std::vector<std::uint32_t> request(run.sums().size(), o_.effort.samples ? (*o_.effort.samples + kReplicates - 1) / kReplicates : 16);
+        const Progress silent;
+        while (run.round(request, o_.effort.samples ? silent : context_.progress, state, o_.effort.timeSeconds)) {
+            if (o_.effort.samples) return;
+            bool more = false;
+            for (std::size_t i = 0; i < request.size(); ++i) {
+                const auto& sums = run.sums()[i];
+                const bool open = sums.total().relative() > target;
+                const bool room = sums.perReplicate < kMostPerReplicate;
+                missed_ = missed_ || (open && !room);
+                request[i] = open && room ? sums.perReplicate : 0;
+                more = more || request[i] > 0;
+            }
+            if (!more) return;
+        }
+        missed_ = true;
+    }
+
+    [[nodiscard]] std::string text(const PointSums& sums) const {
+        const bool known = sums.perReplicate > 0;
+        const Rgb c = sums.rgbMean();
+        const auto y = known ? sums.total() : Interval{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
+        if (context_.common.json) {
+            nlohmann::ordered_json out;
+            const auto number = [](double x) { return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr); };
+            out["r"] = known ? number(c.r) : nullptr, out["g"] = known ? number(c.g) : nullptr, out["b"] = known ? number(c.b) : nullptr;
+            out["y"] = number(y.value), out["ci95"] = number(y.ci95), out["samples"] = sums.samples();
+            return out.dump() + "\n";
+        }
+        if (!known) return "nan nan nan nan inf\n";
+        return fmt::format("{:.6g} {:.6g} {:.6g} {:.6g} {:.3g}\n", c.r, c.g, c.b, y.value, y.ci95);
+    }
+
+    const Loaded& loaded_;
+    const RadianceEstimator& estimator_;
+    const Options& o_;
+    Context& context_;
+    std::uint64_t lineNumber_ = 0;
+    bool bad_ = false, missed_ = false;
+};
+
+Exit runSense(const Options& o, Context& context) {
+    auto loaded = load(o.scene, context.common.quiet);
+    if (!loaded) return complain(loaded.error());
+    auto estimator = makeEstimator(o.effort.algorithm, (*loaded)->lit.transport(), o.effort.settings());
+    if (!estimator) return complain(estimator.error());
+    Sense sense(**loaded, **estimator, o, context);
+    LineReader reader(0);
+    std::vector<std::string> lines;
+    while (!context.progress.cancelled() && reader.next(lines, kMostLines))
+        if (const auto written = writeOutput("-", sense.answer(lines)); !written) return complain(written.error());
+    if (reader.failed()) return complain({ErrorCode::Parse, "a line is longer than 64 KiB, expected six numbers", "stdin"});
+    if (sense.badLine()) return Exit::BadInput;
+    return sense.missedTarget() ? Exit::NotReached : Exit::Ok;
+}
+
+}  // namespace
+
+Command addSense(CLI::App& program) {
+    const auto o = std::make_shared<Options>();
+    auto* app = program.add_subcommand("sense", "Radiance along rays or illuminance at points: reads `x y z dx dy dz` a line, answers `R G B Y ci95` a line, in order");
+    app->add_option("scene", o->scene, "project.toml or a scene file")->required()->type_name("SCENE");
+    auto* radiance = app->add_flag("--radiance", o->radiance, "Radiance along the ray from x y z towards dx dy dz, in cd/m²");
+    auto* irradiance = app->add_flag("--irradiance", o->irradiance, "Illuminance at x y z on a surface that faces dx dy dz, in lx (the default)");
+    auto* cylindrical = app->add_flag("--cylindrical", o->cylindrical, "Illuminance of a small cylinder at x y z with axis dx dy dz, in lx");
+    radiance->excludes(irradiance)->excludes(cylindrical);
+    addEffort(*app, o->effort);
+    return {app, [o](Context& context) { return runSense(*o, context); }};
+}
+
+}  // namespace luxdeck::cli

@@ -1,0 +1,98 @@
+#include "analysis/grids/solve_json.h"
+#include "analysis/grids/solver.h"
+#include "cli/command.h"
+#include "cli/load.h"
+#include "cli/solve_run.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+namespace luxdeck::cli {
+
+namespace {
+
+/// As many decimals as the interval leaves meaning.
+std::string valueText(const Interval& v) {
+    if (!std::isfinite(v.ci95)) return "not known";
+    const int decimals = v.ci95 <= 0 ? 1 : std::clamp(static_cast<int>(std::ceil(-std::log10(v.ci95))) + 1, 0, 4);
+    return fmt::format("{:.{}f} ± {:.{}f}", v.value, decimals, v.ci95, decimals);
+}
+
+std::string statisticText(const char* name, const char* unit, const JudgedInterval& s) {
+    std::string text = fmt::format("  {:<5} {} {}", name, valueText(s.interval), unit);
+    if (s.required) text += fmt::format("   required {}{}{}: {}", *s.required, *unit != 0 ? " " : "", unit, verdictText(s.verdict));
+    return text + "\n";
+}
+
+std::string gridText(const GridResult& g) {
+    std::string text = fmt::format("{}  ({}{})\n", g.name, g.columns > 0 ? fmt::format("{} x {} points, {:.2f} x {:.2f} m apart", g.columns, g.rows, g.spacingU, g.spacingV)
+                                                                          : fmt::format("{} free points", g.points.size()),
+                                   g.kind == GridKind::Cylindrical ? ", cylindrical" : "");
+    if (g.columns == 0)
+        for (const auto& p : g.points)
+            text += fmt::format("  {:.3f} {:.3f} {:.3f}  {} lx  (direct {:.1f}, indirect {:.1f})\n", p.position.x, p.position.y, p.position.z,
+                                valueText(p.total), p.direct.value, p.indirect.value);
+    text += statisticText("Ēm", "lx", g.mean) + statisticText("Emin", "lx", g.minimum) + statisticText("Uo", "", g.uniformity);
+    return text;
+}
+
+}  // namespace
+
+std::string solveText(const SolveResult& r) {
+    std::string text = fmt::format("{}: {} ({}), seed {}, {:.1f} s after {:.1f} s of set-up, {:.2f} million paths\n", r.project, r.algorithm,
+                                   r.complete ? r.targetReached ? "complete" : "target error not reached" : "incomplete: interrupted", r.seed,
+                                   r.seconds, r.setupSeconds, static_cast<double>(r.samples) * 1e-6);
+    if (r.ambientLux != 0) text += fmt::format("constant ambient term: {} lx in every indirect value\n", r.ambientLux);
+    for (const auto& g : r.grids) text += "\n" + gridText(g);
+    text += "\nIntervals are 95 %. Left out, as this scene does not need it:";
+    for (const auto& l : r.leftOut) text += fmt::format("\n  {} ({})", l.what, l.why);
+    text += fmt::format("\nTruncated: {:.2g} of the energy.", r.truncatedFraction);
+    if (r.rejectedSamples > 0) text += fmt::format(" {} samples rejected as not finite or negative.", r.rejectedSamples);
+    return text + "\n";
+}
+
+Exit exitOf(const SolveResult& r) {
+    if (!r.complete) return Exit::Interrupted;
+    for (const auto& g : r.grids)
+        for (const auto* s : {&g.mean, &g.minimum, &g.uniformity})
+            if (s->verdict == Verdict::NotMet) return Exit::NotMet;
+    return r.targetReached ? Exit::Ok : Exit::NotReached;
+}
+
+Result<SolveResult> runSolve(const Loaded& loaded, const Effort& effort, const Context& context, double defaultError) {
+    SolveSettings settings;
+    settings.algorithm = effort.algorithm;
+    settings.algorithmSettings = effort.settings();
+    settings.seed = context.common.seed;
+    settings.timeSeconds = effort.timeSeconds;
+    settings.samples = effort.samples;
+    settings.targetError = effort.targetError.value_or(effort.timeSeconds ? 0.0 : defaultError);
+    auto result = solve(loaded.project, loaded.lit, settings, context.progress);
+    if (result) result->setupSeconds = loaded.seconds;
+    return result;
+}
+
+Command addSolve(CLI::App& program) {
+    struct Options {
+        std::string project, output = "-";
+        Effort effort;
+    };
+    const auto o = std::make_shared<Options>();
+    auto* app = program.add_subcommand("solve", "Illuminance on every calculation grid: value ± 95 % interval, Ēm, Emin, Uo and verdicts");
+    app->add_option("project", o->project, "project.toml")->required()->type_name("PROJECT");
+    app->add_option("-o,--output", o->output, "File for the result; - is stdout")->capture_default_str()->type_name("FILE");
+    addEffort(*app, o->effort);
+    return {app, [o](Context& context) {
+        auto loaded = load(o->project, context.common.quiet);
+        if (!loaded) return complain(loaded.error());
+        const auto result = runSolve(**loaded, o->effort, context, 0.02);
+        if (!result) return complain(result.error());
+        const auto written = writeOutput(o->output, context.common.json ? solveJson(*result) : solveText(*result));
+        if (!written) return complain(written.error());
+        return exitOf(*result);
+    }};
+}
+
+}  // namespace luxdeck::cli
