@@ -69,8 +69,9 @@ private:
         const std::size_t a = edge / 2, b = edge % 2 == 0 ? a + 1 : a + static_cast<std::size_t>(columns_);
         const double va = values_[a], vb = values_[b];
         const double t = std::clamp((level_ - va) / (vb - va), 0.0, 1.0);
-        const auto column = static_cast<double>(a % static_cast<std::size_t>(columns_)),
-                   row = static_cast<double>(a / static_cast<std::size_t>(columns_));
+        const std::size_t rowIndex = a / static_cast<std::size_t>(columns_);
+        const auto column = static_cast<double>(a % static_cast<std::size_t>(columns_));
+        const auto row = static_cast<double>(rowIndex);
         return edge % 2 == 0 ? std::array{column + t, row} : std::array{column, row + t};
     }
 

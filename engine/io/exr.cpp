@@ -191,8 +191,35 @@ Result<void> scaleToCandela(Image& image, const std::string& where) {
     return {};
 }
 
+/// That no attribute claims more than the file has: OpenEXR makes room for it before it looks.
+Result<void> checkAttributes(std::string_view bytes, const std::string& where) {
+    const auto cutOff = [&] { return Error{ErrorCode::Parse, "the header is cut off", where}; };
+    std::size_t at = 8;  // after magic number and version
+    const auto skipName = [&] {
+        const auto end = bytes.substr(at).find('\0');
+        if (end == std::string_view::npos) return false;
+        at += end + 1;
+        return true;
+    };
+    while (at < bytes.size() && bytes[at] != '\0') {
+        const std::size_t begin = at;
+        if (!skipName() || !skipName() || bytes.size() - at < 4) return cutOff();  // its name, its type
+        std::uint32_t size = 0;
+        for (unsigned i = 0; i < 4; ++i) size |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
+        at += 4;
+        if (size > bytes.size() - at)
+            return Error{
+                ErrorCode::Parse,
+                fmt::format("the attribute at byte {} has {} bytes, {} are left", begin, size, bytes.size() - at),
+                where};
+        at += size;
+    }
+    return at < bytes.size() ? Result<void>() : cutOff();
+}
+
 /// Reads and checks the first header alone: opening the file whole would allocate a table as long as it claims.
 Result<void> checkFirstHeader(std::string_view bytes, const std::string& where) {
+    if (auto ok = checkAttributes(bytes, where); !ok) return ok.error();
     MemoryInput stream(bytes, where);
     std::uint8_t b[8];
     stream.read(reinterpret_cast<char*>(b), 8);
