@@ -71,7 +71,8 @@ void PathBatch<S>::passOpenings(std::size_t i) {
     Ray ray = rays_[i];
     while (hits_[i].opening()) {
         seeOpening(paths_[i], hits_[i]);
-        ray.tMin = std::nextafter(hits_[i].distance, kInfinity);
+        // Past it for certain: where the ray grazes it, the distance found again may round either way.
+        ray.tMin = std::max(ray.tMin, hits_[i].distance) * (1 + 1e-6F) + 1e-7F;
         scene_.raycaster.closestHits({&ray, 1}, {&hits_[i], 1}, Targets::Everything);
         ++counters_.rays;
     }

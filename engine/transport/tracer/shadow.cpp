@@ -3,6 +3,7 @@
 #include "engine/transport/surface/glass.h"
 #include "engine/transport/surface/surface_point.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace luxdeck {
@@ -11,6 +12,8 @@ Rgb paneTransmittance(const TransportScene& scene, Ray ray, TransportCounters& c
     Rgb transmittance(1.0F);
     std::uint32_t lastMesh = kNothing;
     float lastDistance = 0;
+    float step = 0;  // grows while the ray stays in one pane that it grazes, where the kernel's distance is
+                     // uncertain: it must get past
     while (!transmittance.isBlack()) {
         Hit hit;
         scene.raycaster.closestHits({&ray, 1}, {&hit, 1}, Targets::Panes);
@@ -18,12 +21,14 @@ Rgb paneTransmittance(const TransportScene& scene, Ray ray, TransportCounters& c
         if (!hit.surface()) break;
         const auto point = surfacePoint(scene.scene, scene.needs, ray, hit);
         const float spacing = 8 * (point.ulp + hit.distance * 0x1.0p-23F);
-        if (hit.mesh != lastMesh || hit.distance - lastDistance > spacing) {
+        const bool samePane = hit.mesh == lastMesh && hit.distance - lastDistance <= std::max(spacing, step);
+        step = samePane ? 2 * step : spacing;
+        if (!samePane) {
             const float cosine = std::abs(dot(point.geometricNormal, ray.direction));
             transmittance *= paneLight(point.material->transmittance, point.material->ior, cosine).transmitted;
         }
         lastMesh = hit.mesh, lastDistance = hit.distance;
-        ray.tMin = std::nextafter(hit.distance, kInfinity);
+        ray.tMin = std::max(ray.tMin, hit.distance) + step;
         if (!(ray.tMin < ray.tMax)) break;
     }
     return transmittance;
