@@ -33,7 +33,7 @@ LocalPoint sampleBox(const Vec3& h, Vec2 u) {
     int axis = 0;
     while (axis < 2 && pick >= areas[static_cast<std::size_t>(axis)]) pick -= areas[static_cast<std::size_t>(axis++)];
     const float along = std::min(pick / std::max(areas[static_cast<std::size_t>(axis)], 1e-30F), 1.0F);
-    LocalPoint point{};
+    LocalPoint point{{0, 0, 0}, {0, 0, 0}};  // Imath's vectors start uninitialised
     point.normal[axis] = sign;
     point.position[axis] = sign * h[axis];
     point.position[(axis + 1) % 3] = (2 * along - 1) * h[(axis + 1) % 3];
