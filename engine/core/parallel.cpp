@@ -27,7 +27,7 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work
     }
 }
 
-ThreadLimit::ThreadLimit(int threads) {
+ThreadLimit::ThreadLimit(int threads) : before_(g_arenaWidth) {
     g_arenaWidth = threads > 0 ? threads : 0;
     if (threads > 0)
         control_ = new tbb::global_control(tbb::global_control::max_allowed_parallelism,
@@ -36,7 +36,7 @@ ThreadLimit::ThreadLimit(int threads) {
 
 ThreadLimit::~ThreadLimit() {
     delete static_cast<tbb::global_control*>(control_);
-    g_arenaWidth = 0;
+    g_arenaWidth = before_;
 }
 
 int threadCount() {

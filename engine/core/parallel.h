@@ -9,7 +9,7 @@ namespace luxdeck {
 /// them does so in index order, so that results do not depend on the number of threads.
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work);
 
-/// Limits the threads of everything that follows, until destroyed. 0 = all cores.
+/// Limits the threads of everything that follows, until destroyed; then the limit before holds again. 0 = all cores.
 class ThreadLimit {
 public:
     explicit ThreadLimit(int threads);
@@ -19,6 +19,7 @@ public:
 
 private:
     void* control_ = nullptr;  // tbb::global_control, kept out of this header
+    int before_ = 0;           // threads of the limit that this one is within
 };
 
 /// Threads that parallelFor uses now.
