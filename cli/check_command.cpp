@@ -1,9 +1,9 @@
 #include "cli/command.h"
+#include "cli/json_text.h"
 #include "cli/load.h"
 #include "engine/io/photometry.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <memory>
@@ -113,7 +113,6 @@ std::string projectText(const Loaded& l) {
     const auto left = leftOut(l.lit.needs());
     text += left.empty() ? "  left out    nothing: the scene needs everything\n" : "  left out, as the scene does not need it:\n";
     for (const auto& x : left) text += fmt::format("              {} ({})\n", x.what, x.why);
-    if (s.luminaires.empty() && !s.sky.present() && !l.lit.needs().meshLights) text += "  note        there is no light in this scene\n";
     return text;
 }
 
@@ -127,18 +126,19 @@ bool isPhotometric(const std::filesystem::path& path) {
 
 Command addCheck(CLI::App& program) {
     const auto path = std::make_shared<std::string>();
-    auto* app = program.add_subcommand("check", "Read and check a project, a scene or a photometric file: what is in it, what it needs, what is left out and why");
+    auto* app = program.add_subcommand("check", "Read and check a project, a scene or a photometric file: what is in it (in m, lm and cd), what it needs, what is left out and why");
     app->add_option("file", *path, "project.toml, .glb, .gltf, .obj, .ies or .ldt")->required()->type_name("FILE");
     return {app, [path](Context& context) {
         if (isPhotometric(*path)) {
             const auto photometry = loadPhotometry(*path);
             if (!photometry) return complain(photometry.error());
-            const auto told = writeOutput("-", context.common.json ? photometryJson(*photometry).dump(1) + "\n" : photometryText(*photometry));
+            const auto told = writeOutput("-", context.common.json ? jsonText(photometryJson(*photometry)) : photometryText(*photometry));
             return told ? Exit::Ok : complain(told.error());
         }
         const auto loaded = load(*path, context.common.quiet);
         if (!loaded) return complain(loaded.error());
-        const auto told = writeOutput("-", context.common.json ? projectJson(**loaded).dump(1) + "\n" : projectText(**loaded));
+        if (context.progress.cancelled()) return Exit::Interrupted;
+        const auto told = writeOutput("-", context.common.json ? jsonText(projectJson(**loaded)) : projectText(**loaded));
         return told ? Exit::Ok : complain(told.error());
     }};
 }

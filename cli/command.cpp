@@ -1,5 +1,6 @@
 #include "cli/command.h"
 
+#include "cli/streams.h"
 #include "engine/core/file.h"
 
 #include <fmt/format.h>
@@ -8,6 +9,8 @@
 #include <charconv>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <unistd.h>
 
 namespace luxdeck::cli {
 
@@ -25,7 +28,7 @@ Exit exitOf(ErrorCode code) {
 }
 
 Exit complain(const Error& error) {
-    fmt::print(stderr, "luxdeck: {}\n", error.text());
+    say(fmt::format("luxdeck: {}\n", error.text()));
     return exitOf(error.code);
 }
 
@@ -85,7 +88,7 @@ void addEffort(CLI::App& app, Effort& effort) {
         double value = 0;
         if (const auto wrong = parseSeconds(text, value); !wrong.empty()) throw CLI::ValidationError("--time", wrong);
         effort.timeSeconds = value;
-    }, "Stop after this time: 60, 60s, 1.5min")->type_name("S");
+    }, "Stop after this time in seconds: 60, 60s, 1.5min")->type_name("S");
     app.add_option_function<std::uint32_t>("--samples", [&effort](std::uint32_t n) { effort.samples = n; },
         "Exactly this many paths for each point (or pixel), instead of a target")->check(CLI::Range(1, 1 << 30))->type_name("N");
 }
@@ -95,6 +98,32 @@ Result<void> writeOutput(const std::string& path, const std::string& bytes) {
     if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
         return Error{ErrorCode::OutOfResources, fmt::format("cannot be written: {}", std::strerror(errno)), "stdout"};
     return {};
+}
+
+Result<void> checkOutput(const std::string& path) {
+    namespace fs = std::filesystem;
+    if (path == "-") return {};
+    std::error_code ec;
+    if (fs::is_directory(path, ec)) return Error{ErrorCode::InvalidArgument, "is a folder, expected a file to write", path};
+    auto folder = fs::path(path).parent_path();
+    if (folder.empty()) folder = ".";
+    if (!fs::is_directory(folder, ec))
+        return Error{ErrorCode::InvalidArgument, fmt::format("cannot be written: there is no folder {}", folder.string()), path};
+    if (fs::exists(path, ec) && !fs::is_regular_file(path, ec)) return {};  // a device needs no place in its folder
+    if (::access(folder.c_str(), W_OK) != 0)
+        return Error{ErrorCode::InvalidArgument, fmt::format("cannot be written: {}", std::strerror(errno)), path};
+    return {};
+}
+
+CLI::Validator namedAs(const std::string& extension) {
+    return CLI::Validator([extension](std::string& text) -> std::string {
+        namespace fs = std::filesystem;
+        std::error_code ec;
+        const fs::path path(text);
+        if (CLI::detail::to_lower(path.extension().string()) == extension) return {};
+        if (fs::exists(path, ec) && !fs::is_regular_file(path, ec) && !fs::is_directory(path, ec)) return {};
+        return fmt::format("\"{}\", expected a name that ends in {}", text, extension);
+    }, "");
 }
 
 }  // namespace luxdeck::cli

@@ -80,6 +80,12 @@ std::string parseSeconds(const std::string& text, double& value);
 /// Writes to a file (atomically) or, for "-", to stdout.
 Result<void> writeOutput(const std::string& path, const std::string& bytes);
 
+/// Whether a file can be made there, asked before long work instead of after it.
+Result<void> checkOutput(const std::string& path);
+
+/// Of an option that names an output: what is written is of one kind, whatever the name says. Devices pass.
+CLI::Validator namedAs(const std::string& extension);
+
 /// The whole program: parses, runs, returns the exit status.
 int runProgram(int argc, const char* const* argv);
 

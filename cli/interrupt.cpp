@@ -25,6 +25,7 @@ InterruptGuard::InterruptGuard(Progress& progress) {
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);  // ulimit -f: like a full disk
 }
 
 InterruptGuard::~InterruptGuard() {

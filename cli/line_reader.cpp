@@ -45,8 +45,8 @@ bool LineReader::next(std::vector<std::string>& lines, std::size_t most) {
             continue;
         }
         if (buffer_.size() - start_ > kLongestLine) {
-            failed_ = true;
-            return false;
+            failed_ = lines.empty();  // what came before it is answered first
+            break;
         }
         if (!fill(lines.empty()) && !(ended_ && start_ < buffer_.size())) break;
     }

@@ -1,6 +1,7 @@
 #include "cli/load.h"
 
 #include "analysis/grids/sampling_run.h"
+#include "cli/streams.h"
 
 #include <fmt/format.h>
 
@@ -8,19 +9,22 @@ namespace luxdeck::cli {
 
 void printWarnings(const std::vector<std::string>& warnings, bool quiet) {
     if (quiet) return;
-    for (const auto& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
+    for (const auto& warning : warnings) say(fmt::format("warning: {}\n", warning));
 }
 
 Result<std::unique_ptr<Loaded>> load(const std::string& path, bool quiet) {
     const Stopwatch clock;
     auto project = loadProject(path);
     if (!project) return project.error();
-    printWarnings(project->scene.warnings, quiet);
     auto loaded = std::make_unique<Loaded>();
     loaded->project = *std::move(project);
     auto lit = LitScene::create(loaded->project.scene);
     if (!lit) return lit.error();
     loaded->lit = *std::move(lit);
+    auto& scene = loaded->project.scene;
+    if (scene.luminaires.empty() && !scene.sky.present() && !loaded->lit.needs().meshLights)
+        scene.warnings.emplace_back("there is no light in this scene: no luminaire, no sky and no emitting surface");
+    printWarnings(scene.warnings, quiet);
     loaded->seconds = clock.seconds();
     return loaded;
 }

@@ -2,6 +2,7 @@
 #include "cli/interrupt.h"
 #include "cli/man_page.h"
 #include "cli/progress_bar.h"
+#include "cli/streams.h"
 #include "engine/core/parallel.h"
 #include "engine/core/version.h"
 
@@ -9,6 +10,7 @@
 
 #include <exception>
 #include <new>
+#include <sstream>
 #include <vector>
 
 namespace luxdeck::cli {
@@ -25,7 +27,8 @@ void addCommon(CLI::App& app, Common& common) {
     app.add_flag("-q,--quiet", common.quiet, "No progress and no notes on stderr");
     app.add_option("--threads", common.threads, "Threads to use; 0: all cores. Results do not depend on it")
         ->check(CLI::Range(0, 1024))->capture_default_str();
-    app.add_option("--seed", common.seed, "Of all random numbers: same seed, same result")->capture_default_str();
+    app.add_option("--seed", common.seed, "Of all random numbers: same seed, same result")
+        ->check(CLI::NonNegativeNumber)->capture_default_str();
 }
 
 std::vector<Command> addCommands(CLI::App& program) {
@@ -44,7 +47,12 @@ Exit runCommand(const Command& command, const Common& common) {
     Context context{common, progress};
     const Exit exit = command.run(context);
     bar.finish();
-    return progress.cancelled() ? Exit::Interrupted : exit;
+    return exit;
+}
+
+int print(const std::string& text) {
+    const auto told = writeOutput("-", text);
+    return static_cast<int>(told ? Exit::Ok : complain(told.error()));
 }
 
 int run(int argc, const char* const* argv) {
@@ -60,22 +68,22 @@ int run(int argc, const char* const* argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        const int code = program.exit(e);
-        return code == 0 ? 0 : static_cast<int>(Exit::Usage);
+        std::ostringstream out, wrong;
+        const int code = program.exit(e, out, wrong);
+        say(wrong.str());
+        return code == 0 ? print(out.str()) : static_cast<int>(Exit::Usage);
     }
-    if (man) {
-        fmt::print("{}", manPage(program));
-        return 0;
-    }
+    if (man) return print(manPage(program));
     for (const auto& command : commands)
         if (command.app->parsed()) return static_cast<int>(runCommand(command, common));
-    fmt::print("{}", program.help());
+    say(program.help());
     return static_cast<int>(Exit::Usage);
 }
 
 }  // namespace
 
 int runProgram(int argc, const char* const* argv) {
+    occupyClosedStreams();
     try {
         return run(argc, argv);
     } catch (const std::bad_alloc&) {

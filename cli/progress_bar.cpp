@@ -1,10 +1,11 @@
 #include "cli/progress_bar.h"
 
+#include "cli/streams.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <unistd.h>
 
 namespace luxdeck::cli {
@@ -50,17 +51,15 @@ void ProgressBar::show(const ProgressState& state) {
     stage_ = state.stage;
     last_ = now;
     if (terminal_) {
-        fmt::print(stderr, "\r\033[K{}", describe(state, true));
+        say("\r\033[K" + describe(state, true));
         open_ = true;
     } else {
-        fmt::print(stderr, "{}\n", describe(state, false));
+        say(describe(state, false) + "\n");
     }
-    std::fflush(stderr);
 }
 
 void ProgressBar::finish() {
-    if (open_) fmt::print(stderr, "\r\033[K");
-    std::fflush(stderr);
+    if (open_) say("\r\033[K");
     open_ = false;
     stage_.clear();
 }

@@ -1,10 +1,10 @@
 #include "analysis/pictures/render.h"
 #include "cli/command.h"
+#include "cli/json_text.h"
 #include "cli/load.h"
 #include "engine/io/image_files.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <memory>
 
@@ -40,10 +40,11 @@ std::string describe(const RenderResult& r, const Options& o, const View& view, 
                                      {"seconds", r.seconds}, {"samplesPerPixel", r.samplesPerPixel}, {"rays", r.counters.rays},
                                      {"relativeError", r.relativeError}, {"targetReached", r.targetReached},
                                      {"rejectedSamples", r.counters.rejected}, {"quantity", o.quantity}};
-    return out.dump(1) + "\n";
+    return jsonText(out);
 }
 
 Exit runRender(const Options& o, Context& context) {
+    if (const auto possible = checkOutput(o.output); !possible) return complain(possible.error());
     auto loaded = load(o.project, context.common.quiet);
     if (!loaded) return complain(loaded.error());
     auto found = findView((*loaded)->project, o.view);
@@ -58,6 +59,8 @@ Exit runRender(const Options& o, Context& context) {
     };
     const auto result = render((*loaded)->project, (*loaded)->lit, view, settingsOf(o, context.common), context.progress, save);
     if (!result) return complain(result.error());
+    if (result->samplesPerPixel == 0)  // holes would be black surfaces to whoever reads them
+        return complain({ErrorCode::Cancelled, "interrupted before every pixel had a sample: nothing is written", o.output});
     if (const auto written = writeExr(o.output, result->image); !written) return complain(written.error());
     if (const auto told = writeOutput("-", describe(*result, o, view, context.common.json)); !told) return complain(told.error());
     return !result->complete ? Exit::Interrupted : result->targetReached ? Exit::Ok : Exit::NotReached;
@@ -70,7 +73,7 @@ Command addRender(CLI::App& program) {
     auto* app = program.add_subcommand("render", "A picture of a view: float EXR in cd/m² with its standard error");
     app->add_option("project", o->project, "project.toml or a scene file")->required()->type_name("PROJECT");
     app->add_option("--view", o->view, "Name of the view; the first one when not given")->type_name("NAME");
-    app->add_option("-o,--output", o->output, "The picture")->required()->type_name("F.exr");
+    app->add_option("-o,--output", o->output, "The picture")->required()->check(namedAs(".exr"))->type_name("F.exr");
     app->add_option("--size", o->size, "Width and height in pixels, instead of the view's own")->expected(2)->check(CLI::Range(1, 32768))->type_name("W H");
     app->add_option("--quantity", o->quantity, "luminance of what is seen (cd/m²), or illuminance on it (lx)")
         ->check(CLI::IsMember({"luminance", "illuminance"}))->capture_default_str();

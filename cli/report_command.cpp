@@ -119,12 +119,14 @@ public:
     [[nodiscard]] const std::string& displayTransform() const { return displayTransform_; }
 };
 
+/// The PDF and its twin; a device has no place beside it for one.
 Result<void> writeBoth(const ReportContents& contents, const Options& o) {
-    auto twin = std::filesystem::path(o.output).replace_extension(".json");
     const auto json = toJson(contents);
     if (!json) return json.error();
-    if (auto ok = writeFileAtomically(twin, *json); !ok) return ok;
-    return writePdf(contents, o.output);
+    const std::filesystem::path pdf(o.output);
+    if (pdf.has_extension())
+        if (auto ok = writeFileAtomically(std::filesystem::path(pdf).replace_extension(".json"), *json); !ok) return ok;
+    return writePdf(contents, pdf);
 }
 
 Exit finish(const ReportContents& contents, const Options& o, const Context& context) {
@@ -134,12 +136,14 @@ Exit finish(const ReportContents& contents, const Options& o, const Context& con
         if (!json) return complain(json.error());
         if (const auto told = writeOutput("-", *json); !told) return complain(told.error());
     } else if (!context.common.quiet) {
-        fmt::print("{}{}\n", solveText(contents.solve), fmt::format("\nreport: {} and its JSON twin", o.output));
+        const auto text = fmt::format("{}\nreport: {} and its JSON twin\n", solveText(contents.solve), o.output);
+        if (const auto told = writeOutput("-", text); !told) return complain(told.error());
     }
     return exitOf(contents.solve);
 }
 
 Exit runReport(const Options& o, Context& context) {
+    if (const auto possible = checkOutput(o.output); !possible) return complain(possible.error());
     if (!o.from.empty()) {
         const auto bytes = readFile(o.from);
         if (!bytes) return complain(bytes.error());
@@ -172,12 +176,12 @@ Command addReport(CLI::App& program) {
     const auto o = std::make_shared<Options>();
     auto* app = program.add_subcommand("report", "The report as PDF with a JSON twin: verdicts, plans, schedule, pictures, error against run time");
     auto* project = app->add_option("project", o->project, "project.toml")->type_name("PROJECT");
-    app->add_option("-o,--output", o->output, "The PDF; the twin lies beside it as .json")->required()->type_name("F.pdf");
+    app->add_option("-o,--output", o->output, "The PDF; the twin lies beside it as .json")->required()->check(namedAs(".pdf"))->type_name("F.pdf");
     auto* from = app->add_option("--from", o->from, "Make the PDF from a JSON twin instead of a project")->type_name("F.json");
     project->excludes(from);
     app->add_option_function<std::string>("--view-time", [o](const std::string& text) {
         if (const auto wrong = parseSeconds(text, o->viewSeconds); !wrong.empty()) throw CLI::ValidationError("--view-time", wrong);
-    }, "Time for each picture (default 6 s)")->type_name("S");
+    }, "Time for each picture in seconds (default 6)")->type_name("S");
     app->add_flag("!--no-false-colour", o->falseColour, "Leave out the false-colour page");
     addEffort(*app, o->effort);
     app->final_callback([o] {

@@ -1,11 +1,13 @@
 #include "analysis/grids/sampling_run.h"
 #include "cli/command.h"
+#include "cli/json_text.h"
 #include "cli/line_reader.h"
 #include "cli/load.h"
+#include "cli/streams.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -28,7 +30,10 @@ constexpr std::size_t kMostLines = 2048;
 /// Without a fixed number, an answer may take this many paths at most.
 constexpr std::uint32_t kMostPerReplicate = 8192;
 
-/// The six numbers of a line; false: not six finite numbers, or a direction without length.
+/// Beyond this, single precision could not tell a point from its neighbours.
+constexpr double kFarthestM = 1e8;
+
+/// The six numbers of a line; false: not six numbers in their range, or a direction without length.
 bool parse(const std::string& line, std::array<double, 6>& v) {
     const char* at = line.data();
     const char* end = at + line.size();
@@ -36,15 +41,32 @@ bool parse(const std::string& line, std::array<double, 6>& v) {
         while (at < end && (*at == ' ' || *at == '\t' || *at == ',')) ++at;
         const auto [next, error] = std::from_chars(at, end, x);
         if (error != std::errc{} || !std::isfinite(x)) return false;
+        if (&x < &v[3] && std::abs(x) > kFarthestM) return false;
         at = next;
     }
     while (at < end && (*at == ' ' || *at == '\t' || *at == '\r')) ++at;
-    return at == end && Vec3d(v[3], v[4], v[5]).length() > 0;
+    return at == end && (v[3] != 0 || v[4] != 0 || v[5] != 0);
+}
+
+bool isBlank(const std::string& line) { return line.find_first_not_of(" \t\r") == std::string::npos; }
+
+/// As a message can show it: short, and without what would upset a terminal.
+std::string shown(const std::string& line) {
+    auto text = line.substr(0, 80);
+    for (auto& c : text)
+        if (static_cast<unsigned char>(c) < ' ' || c == 127) c = ' ';
+    return text;
+}
+
+/// Of length one; large and tiny numbers neither overflow nor vanish on the way.
+Vec3 directionOf(const std::array<double, 6>& v) {
+    const double largest = std::max({std::abs(v[3]), std::abs(v[4]), std::abs(v[5])});
+    return Vec3(Vec3d(v[3] / largest, v[4] / largest, v[5] / largest).normalized());
 }
 
 Target targetOf(const std::array<double, 6>& v, const Scene& scene, const Options& o, std::uint64_t stream) {
     const Vec3 position = scene.toRebased({v[0], v[1], v[2]});
-    const Vec3 direction = Vec3(Vec3d(v[3], v[4], v[5]).normalized());
+    const Vec3 direction = directionOf(v);
     Target t;
     t.radiance = o.radiance;
     t.stream = stream;
@@ -62,24 +84,22 @@ public:
 
     /// returns the answers, a line each; sets badLine() when one could not be read
     std::string answer(const std::vector<std::string>& lines) {
+        enum class Line { Good, Bad, Blank };
         std::vector<Target> targets;
-        std::vector<bool> good;
+        std::vector<Line> kinds;
         for (const auto& line : lines) {
             std::array<double, 6> v{};
-            good.push_back(parse(line, v));
-            if (good.back()) targets.push_back(targetOf(v, loaded_.project.scene, o_, lineNumber_));
-            else complainOf(line);
+            kinds.push_back(isBlank(line) ? Line::Blank : parse(line, v) ? Line::Good : Line::Bad);
+            if (kinds.back() == Line::Good) targets.push_back(targetOf(v, loaded_.project.scene, o_, lineNumber_));
+            if (kinds.back() == Line::Bad) complainOf(line);
             ++lineNumber_;
         }
         SamplingRun run(estimator_, loaded_.project.scene.weights, std::move(targets), context_.common.seed);
         sample(run);
         std::string out;
         std::size_t next = 0;
-        for (const bool ok : good) {
-            static const PointSums kNone;
-            out += text(ok ? run.sums()[next] : kNone);
-            next += ok ? 1 : 0;
-        }
+        for (const auto kind : kinds)
+            out += kind == Line::Blank ? "\n" : text(kind == Line::Good ? run.sums()[next++] : PointSums{});
         return out;
     }
 
@@ -89,7 +109,8 @@ public:
 private:
     void complainOf(const std::string& line) {
         bad_ = true;
-        fmt::print(stderr, "luxdeck: stdin:{}: \"{}\", expected six numbers: x y z dx dy dz\n", lineNumber_ + 1, line.substr(0, 80));
+        say(fmt::format("luxdeck: stdin:{}: \"{}\", expected six numbers: x y z (at most {:g} m) and dx dy dz (not all 0)\n",
+                        lineNumber_ + 1, shown(line), kFarthestM));
     }
 
     void sample(SamplingRun& run) {
@@ -97,8 +118,7 @@ private:
         state.stage = "sensing";
         const double target = o_.effort.targetError.value_or(0.02);
         std::vector<std::uint32_t> request(run.sums().size(), o_.effort.samples ? (*o_.effort.samples + kReplicates - 1) / kReplicates : 16);
-        const Progress silent;
-        while (run.round(request, o_.effort.samples ? silent : context_.progress, state, o_.effort.timeSeconds)) {
+        while (run.round(request, context_.progress, state, o_.effort.timeSeconds)) {
             if (o_.effort.samples) return;
             bool more = false;
             for (std::size_t i = 0; i < request.size(); ++i) {
@@ -119,11 +139,11 @@ private:
         const Rgb c = sums.rgbMean();
         const auto y = known ? sums.total() : Interval{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
         if (context_.common.json) {
-            nlohmann::ordered_json out;
+            nlohmann::ordered_json out{{"schema", "luxdeck-sense/1"}};
             const auto number = [](double x) { return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr); };
             out["r"] = known ? number(c.r) : nullptr, out["g"] = known ? number(c.g) : nullptr, out["b"] = known ? number(c.b) : nullptr;
             out["y"] = number(y.value), out["ci95"] = number(y.ci95), out["samples"] = sums.samples();
-            return out.dump() + "\n";
+            return jsonText(out, -1);
         }
         if (!known) return "nan nan nan nan inf\n";
         return fmt::format("{:.6g} {:.6g} {:.6g} {:.6g} {:.3g}\n", c.r, c.g, c.b, y.value, y.ci95);
@@ -145,8 +165,9 @@ Exit runSense(const Options& o, Context& context) {
     Sense sense(**loaded, **estimator, o, context);
     LineReader reader(0);
     std::vector<std::string> lines;
-    while (!context.progress.cancelled() && reader.next(lines, kMostLines))
+    while (reader.next(lines, kMostLines) && !context.progress.cancelled())  // an interrupted read may end amid a line
         if (const auto written = writeOutput("-", sense.answer(lines)); !written) return complain(written.error());
+    if (context.progress.cancelled()) return Exit::Interrupted;
     if (reader.failed()) return complain({ErrorCode::Parse, "a line is longer than 64 KiB, expected six numbers", "stdin"});
     if (sense.badLine()) return Exit::BadInput;
     return sense.missedTarget() ? Exit::NotReached : Exit::Ok;
@@ -156,12 +177,14 @@ Exit runSense(const Options& o, Context& context) {
 
 Command addSense(CLI::App& program) {
     const auto o = std::make_shared<Options>();
-    auto* app = program.add_subcommand("sense", "Radiance along rays or illuminance at points: reads `x y z dx dy dz` a line, answers `R G B Y ci95` a line, in order");
+    auto* app = program.add_subcommand("sense", "Radiance along rays or illuminance at points: reads `x y z dx dy dz` a line, answers `R G B Y ci95` a line, in order, in cd/m² or lx. "
+        "A line that is not six numbers is answered by nan nan nan nan inf (exit status 3 at the end), a blank line by a blank line. Lines are answered as they come");
     app->add_option("scene", o->scene, "project.toml or a scene file")->required()->type_name("SCENE");
     auto* radiance = app->add_flag("--radiance", o->radiance, "Radiance along the ray from x y z towards dx dy dz, in cd/m²");
     auto* irradiance = app->add_flag("--irradiance", o->irradiance, "Illuminance at x y z on a surface that faces dx dy dz, in lx (the default)");
     auto* cylindrical = app->add_flag("--cylindrical", o->cylindrical, "Illuminance of a small cylinder at x y z with axis dx dy dz, in lx");
     radiance->excludes(irradiance)->excludes(cylindrical);
+    irradiance->excludes(cylindrical);
     addEffort(*app, o->effort);
     return {app, [o](Context& context) { return runSense(*o, context); }};
 }

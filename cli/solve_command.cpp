@@ -85,6 +85,7 @@ Command addSolve(CLI::App& program) {
     app->add_option("-o,--output", o->output, "File for the result; - is stdout")->capture_default_str()->type_name("FILE");
     addEffort(*app, o->effort);
     return {app, [o](Context& context) {
+        if (const auto possible = checkOutput(o->output); !possible) return complain(possible.error());
         auto loaded = load(o->project, context.common.quiet);
         if (!loaded) return complain(loaded.error());
         const auto result = runSolve(**loaded, o->effort, context, 0.02);

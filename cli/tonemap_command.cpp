@@ -1,10 +1,10 @@
 #include "cli/command.h"
+#include "cli/json_text.h"
 #include "cli/tone.h"
 #include "engine/io/image_files.h"
 #include "tonemap/falsecolor.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <memory>
 
@@ -88,23 +88,30 @@ Result<std::pair<DisplayImage, nlohmann::ordered_json>> convert(const Image& ima
     return std::pair{std::move(shown->image), std::move(about)};
 }
 
+std::string describe(const DisplayImage& picture, const nlohmann::ordered_json& about, const Options& o, const Common& common) {
+    if (common.json) {
+        nlohmann::ordered_json out{{"schema", "luxdeck-tonemap/1"}, {"output", o.output}};
+        out.update(about);
+        return jsonText(out);
+    }
+    if (common.quiet) return {};
+    std::string text = fmt::format("{}: {} x {} pixels\n", o.output, picture.width, picture.height);
+    for (const auto& [key, value] : picture.text) text += fmt::format("  {}: {}\n", key, value);
+    return text;
+}
+
 Exit runTonemap(const Options& o, Context& context) {
+    if (const auto possible = checkOutput(o.output); !possible) return complain(possible.error());
     const auto image = readHdrImage(o.input);
     if (!image) return complain(image.error());
     auto converted = convert(*image, o);
     if (!converted) return complain(converted.error());
     auto& [picture, about] = *converted;
     if (textOf(*image, "luxdeck:complete", "true") == "false") picture.text["luxdeck:complete"] = "false";
+    if (context.progress.cancelled()) return Exit::Interrupted;
     if (const auto written = writePng(o.output, picture); !written) return complain(written.error());
-    if (context.common.json) {
-        nlohmann::ordered_json out{{"schema", "luxdeck-tonemap/1"}, {"output", o.output}};
-        out.update(about);
-        if (const auto told = writeOutput("-", out.dump(1) + "\n"); !told) return complain(told.error());
-    } else if (!context.common.quiet) {
-        fmt::print("{}: {} x {} pixels\n", o.output, picture.width, picture.height);
-        for (const auto& [key, value] : picture.text) fmt::print("  {}: {}\n", key, value);
-    }
-    return Exit::Ok;
+    const auto told = writeOutput("-", describe(picture, about, o, context.common));
+    return told ? Exit::Ok : complain(told.error());
 }
 
 }  // namespace
@@ -113,7 +120,7 @@ Command addTonemap(CLI::App& program) {
     const auto o = std::make_shared<Options>();
     auto* app = program.add_subcommand("tonemap", "A picture for people: histogram tone mapping as an eye or a camera would see it, or false colour with a legend");
     app->add_option("input", o->input, "Float picture in cd/m² or lx: .exr, .hdr, .pic")->required()->type_name("IN");
-    app->add_option("-o,--output", o->output, "The picture")->required()->type_name("OUT.png");
+    app->add_option("-o,--output", o->output, "The picture")->required()->check(namedAs(".png"))->type_name("OUT.png");
     app->add_option("--operator", o->op, "human: what an eye there would see; camera: everything is recorded; linear: one exposure")
         ->check(CLI::IsMember({"human", "camera", "linear"}))->capture_default_str();
     app->add_option_function<double>("--exposure", [o](double e) { o->exposure = e; }, "Of --operator linear: display over world luminance; without it, the mean shows as 18 % grey")
@@ -126,7 +133,7 @@ Command addTonemap(CLI::App& program) {
     app->add_flag("--no-colour-loss", o->noColourLoss, "Leave colours in the dark");
     app->add_flag("--false-colour,--false-color", o->falseColour, "Numbers as colours, with a legend, instead of tone mapping");
     app->add_flag("--linear-scale", o->linear, "False colour and isolines in equal steps instead of equal ratios");
-    app->add_option("--range", o->range, "Lowest and highest value of the false colours")->expected(2)->type_name("LOW HIGH");
+    app->add_option("--range", o->range, "Lowest and highest value of the false colours, in cd/m² or lx")->expected(2)->type_name("LOW HIGH");
     app->add_option("--map", o->map, "dusk (safe for colour blindness) or heat")->check(CLI::IsMember({"dusk", "heat"}))->capture_default_str();
     app->add_flag("--isolines", o->isolines, "Draw lines of equal value with their numbers");
     return {app, [o](Context& context) { return runTonemap(*o, context); }};
