@@ -9,11 +9,9 @@ namespace {
 
 /// Internal transmittance t of one passage at normal incidence, from T = (1 - r)^2 t / (1 - r^2 t^2).
 float internalTransmittance(float total, float r) {
-    if (total <= 0) return 0;
-    if (r <= 0) return std::min(total, 1.0F);
     const float a = (1 - r) * (1 - r);
-    const float t = (std::sqrt(a * a + 4 * r * r * total * total) - a) / (2 * r * r * total);
-    return std::min(t, 1.0F);
+    // The quadratic's root in the form that does not cancel where little is reflected.
+    return std::min(2 * total / (a + std::sqrt(a * a + 4 * r * r * total * total)), 1.0F);
 }
 
 struct Slab {
@@ -33,7 +31,7 @@ Slab unpolarised(float rs, float rp, float t) {
 
 PaneLight paneLight(const Rgb& transmittance, float ior, float cosine) {
     const float c1 = std::clamp(cosine, 1e-4F, 1.0F);
-    const float c2 = std::sqrt(1 - (1 - c1 * c1) / (ior * ior));
+    const float c2 = std::sqrt(ior * ior - 1 + c1 * c1) / ior;  // not 1 - sin^2, which rounds to 0 at ior 1
     const auto square = [](float x) { return x * x; };
     const float rs = square((c1 - ior * c2) / (c1 + ior * c2)), rp = square((ior * c1 - c2) / (ior * c1 + c2));
     const float r0 = square((ior - 1) / (ior + 1));
