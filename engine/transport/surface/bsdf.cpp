@@ -18,6 +18,9 @@ Rgb textured(const Scene& scene, const SceneNeeds& needs, const Rgb& value, cons
     return value * scene.textures[static_cast<std::size_t>(slot.texture)].sample(slot.apply(uv));
 }
 
+Rgb atLeast(const Rgb& c, float low) { return {std::max(c.r, low), std::max(c.g, low), std::max(c.b, low)}; }
+Grey atLeast(const Grey& c, float low) { return Grey(std::max(c.y, low)); }
+
 Rgb mix(const Rgb& a, const Rgb& b, float t) { return a * (1 - t) + b * t; }
 
 }  // namespace
@@ -49,7 +52,7 @@ void Bsdf<S>::setRough(S diffuse, S f0, float roughness) {
     meanEscaped_ = std::max(1 - mean.total(), 1e-6F);
     const S meanFresnel = f0_ * (20.0F / 21.0F) + S(1.0F / 21.0F);  // of Schlick's over the hemisphere
     multiple_ = quotient(meanFresnel * meanFresnel * mean.total(), S(1.0F) - meanFresnel * meanEscaped_);
-    meanThrough_ = S(1.0F) - lobeTotal(mean);
+    meanThrough_ = atLeast(S(1.0F) - lobeTotal(mean), 1e-6F);  // a coat that reflects all lets nothing through
     const float lobe = brightness(lobeTotal(mean)), below = brightness(diffuse_ * meanThrough_);
     lobeChance_ = below > 0 ? std::clamp(lobe / (lobe + below), 0.1F, 0.9F) : 1.0F;
     if (brightness(multiple_) * meanEscaped_ > 0.01F) lobeChance_ = std::min(lobeChance_, 0.9F);
