@@ -15,9 +15,14 @@ struct Shown {
     std::string transform;  // OpenColorIO config, display and view
 };
 
-/// Tone maps and then encodes by OpenColorIO. `ocioView` empty: the view that only encodes for our own
-/// config (the operators are the tone curve), else the config's default.
-Result<Shown> show(const Image& scene, const tonemap::ToneMapSettings& settings, const std::string& ocioView = {});
+/// How a picture is made for people, beside the operator.
+struct ShowSettings {
+    bool whiteBalance = true;  // adapt to the light sources' white, which the picture's header names
+    std::string ocioView;      // empty: the view that only encodes for our own config, else the config's default
+};
+
+/// Adapts, tone maps and encodes by OpenColorIO.
+Result<Shown> show(const Image& scene, const tonemap::ToneMapSettings& settings, const ShowSettings& how = {});
 
 /// What the operator did, in a sentence.
 std::string operatorText(const tonemap::ToneMapRecord& record);

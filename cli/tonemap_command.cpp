@@ -18,7 +18,7 @@ struct Options {
     std::optional<double> exposure;
     double white = 100, black = 1;
     std::string ocioView;
-    bool noVeil = false, noAcuity = false, noColourLoss = false;
+    bool noVeil = false, noAcuity = false, noColourLoss = false, noWhiteBalance = false;
     bool falseColour = false, linear = false, isolines = false;
     std::string map = "dusk";
     std::vector<double> range;
@@ -76,7 +76,7 @@ Result<std::pair<DisplayImage, nlohmann::ordered_json>> convert(const Image& ima
     }
     auto op = tonemap::operatorNamed(o.op);
     if (!op) return op.error();
-    auto shown = show(image, settingsOf(o, *op), o.ocioView);
+    auto shown = show(image, settingsOf(o, *op), {!o.noWhiteBalance, o.ocioView});
     if (!shown) return shown.error();
     if (o.isolines) {
         auto field = tonemap::luminanceField(image);
@@ -131,6 +131,7 @@ Command addTonemap(CLI::App& program) {
     app->add_flag("--no-veil", o->noVeil, "Leave out the light that scatters in the eye");
     app->add_flag("--no-acuity", o->noAcuity, "Leave out the blur of dim sight");
     app->add_flag("--no-colour-loss", o->noColourLoss, "Leave colours in the dark");
+    app->add_flag("--no-white-balance", o->noWhiteBalance, "Do not adapt to the light sources' white");
     app->add_flag("--false-colour,--false-color", o->falseColour, "Numbers as colours, with a legend, instead of tone mapping");
     app->add_flag("--linear-scale", o->linear, "False colour and isolines in equal steps instead of equal ratios");
     app->add_option("--range", o->range, "Lowest and highest value of the false colours, in cd/m² or lx")->expected(2)->type_name("LOW HIGH");

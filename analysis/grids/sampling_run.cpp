@@ -3,7 +3,6 @@
 #include "engine/core/parallel.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace luxdeck {
 
@@ -31,9 +30,7 @@ double SamplingRun::pathsPerSecond() const {
 bool SamplingRun::round(const std::vector<std::uint32_t>& request, const Progress& progress, ProgressState& state,
                         std::optional<double> deadline) {
     const auto stop = [&] { return progress.cancelled() || (deadline && seconds() >= *deadline); };
-    const double total = std::max(1.0, static_cast<double>(std::accumulate(request.begin(), request.end(), std::uint64_t{0})));
-    double spent = 0;
-    const double before = state.fraction;
+    const double begun = seconds(), leftThen = state.secondsLeft;
     std::size_t first = 0;
     while (first < request.size()) {
         if (stop()) return false;
@@ -43,14 +40,20 @@ bool SamplingRun::round(const std::vector<std::uint32_t>& request, const Progres
         double planned = 0;
         while (last < request.size() && planned < paths) planned += double{kReplicates} * request[last++];
         runSlice(request, {first, last}, progress, deadline);
-        for (std::size_t i = first; i < last; ++i) spent += request[i];
         first = last;
-        state.rate = static_cast<double>(counters_.rays) / std::max(busySeconds_, 1e-9) * 1e-6;
-        state.rateUnit = "Mray/s";
-        if (deadline) state.fraction = std::max(before, std::min(1.0, seconds() / *deadline));
+        tell(state, begun, leftThen, deadline);
         progress.report(state);
     }
-    return !stop() || spent >= total;
+    return !stop();
+}
+
+void SamplingRun::tell(ProgressState& state, double begun, double leftThen, std::optional<double> deadline) const {
+    state.rate = static_cast<double>(counters_.rays) / std::max(busySeconds_, 1e-9) * 1e-6;
+    state.rateUnit = "Mray/s";
+    const double now = seconds();
+    if (leftThen >= 0) state.secondsLeft = std::max(0.0, leftThen - (now - begun));
+    if (deadline) state.secondsLeft = std::min(leftThen >= 0 ? state.secondsLeft : *deadline, std::max(0.0, *deadline - now));
+    if (state.secondsLeft >= 0) state.fraction = now / (now + state.secondsLeft);
 }
 
 void SamplingRun::runSlice(const std::vector<std::uint32_t>& request, Slice slice, const Progress& progress,

@@ -49,6 +49,9 @@ private:
     void runSlice(const std::vector<std::uint32_t>& request, Slice slice, const Progress& progress,
                   std::optional<double> deadline);
 
+    /// Rate, time left and fraction done, from what was left when the round began (negative: not known).
+    void tell(ProgressState& state, double begun, double leftThen, std::optional<double> deadline) const;
+
     const RadianceEstimator& estimator_;
     LuminanceWeights weights_;
     std::vector<Target> targets_;

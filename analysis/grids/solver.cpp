@@ -39,7 +39,7 @@ public:
         while (going) {
             going = run_.round(request, progress_, state_, settings_.timeSeconds);
             assess();
-            if (result_.trace.size() == 1) predict();
+            predict();
             if (settings_.samples || reached()) break;
             request = nextRequest();
         }
@@ -100,7 +100,18 @@ private:
         return aim;
     }
 
-    /// Samples for each replicate that bring the point to its aim, by the square-root law.
+    /// How fast the error falls with the number of samples, as the last two rounds show it: 1/2 for noise,
+    /// up to 1 while the quasi-random points pay.
+    [[nodiscard]] double errorExponent() const {
+        const auto& t = result_.trace;
+        if (t.size() < 2) return 0.5;
+        const auto &before = t[t.size() - 2], &now = t.back();
+        const double work = static_cast<double>(now.samples) / static_cast<double>(before.samples);
+        const double slope = std::log(before.rmsPointError / now.rmsPointError) / std::log(work);
+        return work > 1.2 && std::isfinite(slope) ? std::clamp(slope, 0.5, 1.0) : 0.5;
+    }
+
+    /// Samples for each replicate that bring the point to its aim.
     [[nodiscard]] double needed(const Point& p) const {
         const auto& grid = result_.grids[p.grid];
         const auto& point = grid.points[p.index];
@@ -108,7 +119,7 @@ private:
         if (have == 0) return kPilot;
         if (!(settings_.targetError > 0)) return std::numeric_limits<double>::infinity();
         const double ratio = pointError(grid, point) / aimOf(grid, point);
-        return ratio <= 1 ? have : have * ratio * ratio;
+        return ratio <= 1 ? have : have * std::pow(ratio, 1 / errorExponent());
     }
 
     [[nodiscard]] std::vector<std::uint32_t> nextRequest() const {
@@ -122,14 +133,15 @@ private:
         return request;
     }
 
-    /// How long it will take, told once the first samples have shown the noise.
+    /// How long it will take, told anew after each round. The second round's word, the first that has seen
+    /// how fast the error falls, goes on record.
     void predict() {
         if (!(settings_.targetError > 0) || settings_.samples) return;
         double paths = 0;
         for (std::size_t i = 0; i < points_.size(); ++i)
             paths += kReplicates * std::max(0.0, needed(points_[i]) - run_.sums()[i].perReplicate);
-        result_.predictedSeconds = run_.seconds() + paths / std::max(run_.pathsPerSecond(), 1.0);
-        state_.secondsLeft = result_.predictedSeconds - run_.seconds();
+        state_.secondsLeft = paths / std::max(run_.pathsPerSecond(), 1.0);
+        if (result_.trace.size() <= 2) result_.predictedSeconds = run_.seconds() + state_.secondsLeft;
         progress_.report(state_);
     }
 

@@ -18,8 +18,9 @@ namespace {
 
 constexpr std::size_t kPixelsPerTask = 512;
 constexpr double kShowEverySeconds = 5;
-constexpr std::uint32_t kFirstPass = 4;   // paths a pixel
+constexpr std::uint32_t kFirstPass = 1;   // paths a pixel: even a short time gives a whole picture
 constexpr std::uint32_t kMostPerPass = 16;
+constexpr std::uint32_t kEnoughToJudge = 4;  // paths a pixel before its error is believed
 
 /// The sums of one pixel.
 struct Pixel {
@@ -28,6 +29,18 @@ struct Pixel {
     float distance = kInfinity;  // of the first sample
     std::uint32_t samples = 0;
 };
+
+/// The colour that an eye in the scene takes for white: that of its light sources, weighted by their flux.
+Rgb adoptedWhite(const Scene& scene) {
+    Rgb sum(0.0F);
+    for (const auto& l : scene.luminaires) {
+        const auto& type = scene.luminaireTypes[l.type];
+        sum += type.colour * static_cast<float>(type.photometry.table.lumens() * l.outputScale());
+    }
+    if (sum.isBlack() && scene.sky.present()) sum = scene.sky.colour;
+    const float y = luminance(sum, scene.weights);
+    return y > 0 ? sum * (1 / y) : Rgb(1.0F);
+}
 
 /// A picture in the making.
 class Rendering {
@@ -174,7 +187,7 @@ private:
     }
 
     [[nodiscard]] bool reached() const {
-        return !settings_.samples && settings_.targetError > 0 && done_ > kFirstPass && relativeError_ <= settings_.targetError;
+        return !settings_.samples && settings_.targetError > 0 && done_ >= kEnoughToJudge && relativeError_ <= settings_.targetError;
     }
 
     [[nodiscard]] RenderResult result() const {
@@ -218,6 +231,8 @@ private:
         text["luxdeck:kernel"] = lit_.raycaster().kernel();
         text["luxdeck:complete"] = r.complete ? "true" : "false";
         text["luxdeck:colourSpace"] = project_.scene.weights == kRec709 ? "linear Rec.709" : "scene RGB";
+        const Rgb white = adoptedWhite(project_.scene);
+        text["luxdeck:adoptedWhite"] = fmt::format("{} {} {}", white.r, white.g, white.b);
         text["VIEW"] = radianceView();
         auto& numbers = r.image.numbers;
         numbers["whiteLuminance"] = 1;
