@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstring>
 #include <vector>
@@ -57,16 +58,27 @@ void intersectOpening(const RTCIntersectFunctionNArguments* args) {
     rayhit.hit.u = rayhit.hit.v = 0;
 }
 
-void setRay(RTCRay& out, const Ray& ray, Targets targets) {
+void occludeByOpening(const RTCOccludedFunctionNArguments* args) {
+    if (args->valid[0] == 0) return;
+    auto& ray = *reinterpret_cast<RTCRay*>(args->ray);  // N is 1 here as well
+    const auto& shape = static_cast<const Openings*>(args->geometryUserPtr)->shapes[args->primID];
+    if (shape.intersect({ray.org_x, ray.org_y, ray.org_z}, {ray.dir_x, ray.dir_y, ray.dir_z}, ray.tnear, ray.tfar))
+        ray.tfar = -kInfinity;
+}
+
+bool has(Targets targets, Targets one) {
+    return (static_cast<std::uint32_t>(targets) & static_cast<std::uint32_t>(one)) != 0;
+}
+
+void setRay(RTCRay& out, const Ray& ray) {
     out.org_x = ray.origin.x, out.org_y = ray.origin.y, out.org_z = ray.origin.z;
     out.dir_x = ray.direction.x, out.dir_y = ray.direction.y, out.dir_z = ray.direction.z;
     out.tnear = ray.tMin, out.tfar = ray.tMax;
     out.time = 0, out.id = 0, out.flags = 0;
-    out.mask = static_cast<unsigned>(targets);
+    out.mask = 0xffffffffU;
 }
 
 void intersect1(RTCScene scene, RTCRayHit& rayhit) {
-    rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
 #if LUXDECK_EMBREE == 4
     rtcIntersect1(scene, &rayhit);
 #else
@@ -87,6 +99,10 @@ bool occluded1(RTCScene scene, RTCRay& ray) {
     return ray.tfar < 0;  // set to -infinity by the kernel
 }
 
+/// Opaque triangles, panes and openings lie in a kernel scene each: a question about panes alone, which every
+/// unhidden shadow ray asks, then costs a look at a few triangles instead of a walk through all that it passes;
+/// and no query pays for masks. A question about several kinds asks one after the other, each only up to
+/// what was met before.
 class EmbreeRaycaster final : public Raycaster {
 public:
     static Result<std::unique_ptr<Raycaster>> make(const Scene& scene) {
@@ -96,6 +112,7 @@ public:
     }
 
     void closestHits(std::span<const Ray> rays, std::span<Hit> hits, Targets targets) const override {
+        const Kernels kernels = kernelsOf(targets);
         RTCRayHit rayhit;
         for (std::size_t i = 0; i < rays.size(); ++i) {
             hits[i] = Hit{};
@@ -103,21 +120,23 @@ public:
                 hits[i].badRay = true;
                 continue;
             }
-            setRay(rayhit.ray, rays[i], targets);
-            intersect1(scene_.get(), rayhit);
+            setRay(rayhit.ray, rays[i]);
+            rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+            for (std::size_t k = 0; k < kernels.count; ++k) intersect1(kernels.scenes[k], rayhit);
             if (rayhit.hit.geomID != RTC_INVALID_GEOMETRY_ID) hits[i] = hitOf(rayhit);
         }
     }
 
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> out, Targets targets) const override {
+        const Kernels kernels = kernelsOf(targets);
         RTCRay ray;
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (!isGood(rays[i])) {
-                out[i] = 1;
-                continue;
-            }
-            setRay(ray, rays[i], targets);
-            out[i] = occluded1(scene_.get(), ray) ? 1 : 0;
+            out[i] = 1;
+            if (!isGood(rays[i])) continue;
+            setRay(ray, rays[i]);
+            bool met = false;
+            for (std::size_t k = 0; k < kernels.count && !met; ++k) met = occluded1(kernels.scenes[k], ray);
+            out[i] = met ? 1 : 0;
         }
     }
 
@@ -131,6 +150,20 @@ public:
     }
 
 private:
+    /// The kernel scenes that a question is about, those left out that hold nothing.
+    struct Kernels {
+        std::array<RTCScene, 3> scenes{};
+        std::size_t count = 0;
+    };
+    [[nodiscard]] Kernels kernelsOf(Targets targets) const {
+        Kernels out;
+        const auto add = [&](Targets kind, const KernelScene& scene) {
+            if (scene && has(targets, kind)) out.scenes[out.count++] = scene.get();
+        };
+        add(Targets::Opaque, opaque_), add(Targets::Panes, panes_), add(Targets::Openings, openingScene_);
+        return out;
+    }
+
     [[nodiscard]] Hit hitOf(const RTCRayHit& rayhit) const {
         Hit hit;
         hit.distance = rayhit.ray.tfar;
@@ -151,18 +184,26 @@ private:
             static_cast<EmbreeRaycaster*>(self)->bytes_ += bytes;
             return true;
         }, this);
-        if (rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_RAY_MASK_SUPPORTED) == 0)
-            return Error{ErrorCode::Unsupported, "this Embree was built without ray masks, which luminous openings and panes need"};
-        scene_.reset(rtcNewScene(device_.get()));
-        rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);  // without it shared edges lose rays
         for (std::size_t i = 0; i < scene.meshes.size(); ++i) attachMesh(scene, static_cast<unsigned>(i));
         openingGeometry_ = static_cast<unsigned>(scene.meshes.size());
         attachOpenings(scene);
-        rtcCommitScene(scene_.get());
+        for (const auto* kernel : {&opaque_, &panes_, &openingScene_})
+            if (*kernel) rtcCommitScene(kernel->get());
         if (const auto code = rtcGetDeviceError(device_.get()); code != RTC_ERROR_NONE)
             return Error{code == RTC_ERROR_OUT_OF_MEMORY ? ErrorCode::OutOfResources : ErrorCode::Internal,
                          fmt::format("the ray kernel failed to build (Embree error {})", static_cast<int>(code))};
         return {};
+    }
+
+    /// Attaches a geometry to a kernel scene, made when it is first needed.
+    void attach(KernelScene& kernel, RTCGeometry geometry, unsigned id) {
+        if (!kernel) {
+            kernel.reset(rtcNewScene(device_.get()));
+            rtcSetSceneFlags(kernel.get(), RTC_SCENE_FLAG_ROBUST);  // without it shared edges lose rays
+        }
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometryByID(kernel.get(), geometry, id);
+        rtcReleaseGeometry(geometry);
     }
 
     void attachMesh(const Scene& scene, unsigned index) {
@@ -176,10 +217,7 @@ private:
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
                                    sizeof(mesh.triangles[0]), mesh.triangles.size());
         const bool pane = scene.materials[mesh.material].kind == MaterialKind::ThinGlass;
-        rtcSetGeometryMask(geometry, static_cast<unsigned>(pane ? Targets::Panes : Targets::Opaque));
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometryByID(scene_.get(), geometry, index);
-        rtcReleaseGeometry(geometry);
+        attach(pane ? panes_ : opaque_, geometry, index);
     }
 
     void attachOpenings(const Scene& scene) {
@@ -196,16 +234,14 @@ private:
         rtcSetGeometryUserData(geometry, &openings_);
         rtcSetGeometryBoundsFunction(geometry, openingBounds, nullptr);
         rtcSetGeometryIntersectFunction(geometry, intersectOpening);
-        rtcSetGeometryMask(geometry, static_cast<unsigned>(Targets::Openings));
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometryByID(scene_.get(), geometry, openingGeometry_);
-        rtcReleaseGeometry(geometry);
+        rtcSetGeometryOccludedFunction(geometry, occludeByOpening);
+        attach(openingScene_, geometry, openingGeometry_);
     }
 
     std::atomic<std::int64_t> bytes_{0};  // first: the device reports to it until it is released
     Openings openings_;
     Device device_;
-    KernelScene scene_;
+    KernelScene opaque_, panes_, openingScene_;  // null: the scene has none
     unsigned openingGeometry_ = RTC_INVALID_GEOMETRY_ID;
 };
 
