@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace luxdeck {
 
@@ -44,10 +45,11 @@ LightSampler::LightSampler(const Scene& scene, const SceneNeeds& needs)
     for (std::size_t i = 0; i < lights_.size(); ++i) lights_[i].powerShare = static_cast<float>(powers[i] / sum);
     trianglesPowerShare_ = sum > 0 ? static_cast<float>(powers.back() / sum) : 0;
     powers_ = AliasTable(powers);
+    if (!manyLights_) fillRows();
 }
 
 void LightSampler::addLuminaires(const Scene& scene) {
-    for (const auto& type : scene.luminaireTypes) maps_.push_back(importanceMap(type.photometry.table));
+    for (const auto& type : scene.luminaireTypes) addImportanceMap(type.photometry.table);
     lightOfLuminaire_.assign(scene.luminaires.size(), kNoLight);
     for (std::size_t i = 0; i < scene.luminaires.size(); ++i) {
         const auto& l = scene.luminaires[i];
@@ -87,43 +89,30 @@ void LightSampler::addTriangles(const Scene& scene) {
     trianglesRadius_ = 0.5F * box.size().length();
 }
 
-LightSampler::ImportanceMap LightSampler::importanceMap(const CandelaTable& table) const {
+void LightSampler::addImportanceMap(const CandelaTable& table) {
     constexpr int kSub = 3;  // per texel and side
-    ImportanceMap map;
-    map.intensity.assign(kMapSide * kMapSide, 0.0F);
+    const std::size_t first = maps_.size();
+    maps_.resize(first + kMapSide * kMapSide, 0.0F);
     for (int y = 0; y < kMapSide * kSub; ++y)
         for (int x = 0; x < kMapSide * kSub; ++x) {
             const float u = (static_cast<float>(x) + 0.5F) / (kMapSide * kSub);
             const float v = (static_cast<float>(y) + 0.5F) / (kMapSide * kSub);
-            map.intensity[static_cast<std::size_t>(y / kSub * kMapSide + x / kSub)] +=
+            maps_[first + static_cast<std::size_t>(y / kSub * kMapSide + x / kSub)] +=
                 table.intensity(octahedralDirection(u, v)) / (kSub * kSub);
         }
-    return map;
 }
 
-float LightSampler::ImportanceMap::at(const Vec3& d) const {
-    const float scale = 1 / (std::abs(d.x) + std::abs(d.y) + std::abs(d.z));
-    float x = d.x * scale, y = d.y * scale;
-    if (d.z < 0) {
-        const float foldedX = std::copysign(1 - std::abs(y), x);
-        y = std::copysign(1 - std::abs(x), y);
-        x = foldedX;
+void LightSampler::fillRows() {
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        const auto& light = lights_[i];
+        const auto& [centre, frame] = std::tie(light.opening.centre, light.opening.frame);
+        rows_.x[i] = centre.x, rows_.y[i] = centre.y, rows_.z[i] = centre.z;
+        rows_.tx[i] = frame.tangent.x, rows_.ty[i] = frame.tangent.y, rows_.tz[i] = frame.tangent.z;
+        rows_.bx[i] = frame.bitangent.x, rows_.by[i] = frame.bitangent.y, rows_.bz[i] = frame.bitangent.z;
+        rows_.nx[i] = frame.normal.x, rows_.ny[i] = frame.normal.y, rows_.nz[i] = frame.normal.z;
+        rows_.radius[i] = light.radius, rows_.scale[i] = light.scale;
+        rows_.map[i] = static_cast<int>(light.type) * kMapSide * kMapSide;
     }
-    const auto texel = [](float w) {
-        return std::clamp(static_cast<int>((w + 1) * (0.5F * kMapSide)), 0, kMapSide - 1);
-    };
-    return intensity[static_cast<std::size_t>(texel(y) * kMapSide + texel(x))];
-}
-
-float LightSampler::importance(const Light& light, const Receiver& at) const {
-    const Vec3 away = at.position - light.opening.centre;  // from the light to the receiver
-    const float d2 = std::max(away.length2(), light.radius * light.radius);
-    if (!(d2 > 0)) return 0;
-    const float d = std::sqrt(d2);
-    float cosine = 1;
-    if (at.normal.length2() > 0) cosine = std::clamp((light.radius - dot(at.normal, away)) / d, 0.0F, 1.0F);
-    if (cosine == 0) return 0;
-    return maps_[light.importanceMap].at(light.opening.frame.toLocal(away)) * light.scale * cosine / d2;
 }
 
 float LightSampler::triangleImportance(const Receiver& at) const {
@@ -132,11 +121,46 @@ float LightSampler::triangleImportance(const Receiver& at) const {
     return trianglesFlux_ / std::max(d2, trianglesRadius_ * trianglesRadius_);
 }
 
-float LightSampler::weigh(const Receiver& at, float* importances) const {
+/// A light's importance is the intensity that its map has towards the receiver, times the cosine there (of the
+/// opening's highest point), over d^2. Written without branches, so that it is compiled to vector instructions.
+void LightSampler::weigh(const Receiver& at, Sums& sums) const {
+    constexpr float kHalfSide = 0.5F * kMapSide, kLastTexel = kMapSide - 1;
+    const auto& r = rows_;
+    const Vec3 p = at.position, n = at.normal;
+    const float leastCosine = n.length2() > 0 ? 0.0F : 1.0F;  // no normal: light from all sides counts in full
+    std::array<float, kManyLights> factors;
+    std::array<int, kManyLights> texels;
+    const std::size_t count = (lights_.size() + 7) / 8 * 8;  // whole vectors; kManyLights is a multiple of 8
+    for (std::size_t i = 0; i < count; ++i) {
+        const float x = p.x - r.x[i], y = p.y - r.y[i], z = p.z - r.z[i];  // from the light to the receiver
+        const float radius2 = r.radius[i] * r.radius[i], length2 = x * x + y * y + z * z;
+        const float larger2 = length2 > radius2 ? length2 : radius2;
+        const float apart = larger2 > 0 ? 1.0F : 0.0F;  // in the very place of a point light nothing comes from it
+        const float d2 = larger2 > 1e-20F ? larger2 : 1e-20F;
+        const float height = (r.radius[i] - (n.x * x + n.y * y + n.z * z)) / std::sqrt(d2);
+        const float below1 = height < 1.0F ? height : 1.0F;
+        const float cosine = below1 > leastCosine ? below1 : leastCosine;
+        factors[i] = apart * r.scale[i] * cosine / d2;
+
+        const float lx = r.tx[i] * x + r.ty[i] * y + r.tz[i] * z;
+        const float ly = r.bx[i] * x + r.by[i] * y + r.bz[i] * z;
+        const float lz = r.nx[i] * x + r.ny[i] * y + r.nz[i] * z;
+        const float toOctahedron = 1 / (std::abs(lx) + std::abs(ly) + std::abs(lz) + 1e-30F);
+        const float ox = lx * toOctahedron, oy = ly * toOctahedron;
+        const float fx = std::copysign(1 - std::abs(oy), ox), fy = std::copysign(1 - std::abs(ox), oy);
+        const float tx = ((lz < 0 ? fx : ox) + 1) * kHalfSide, ty = ((lz < 0 ? fy : oy) + 1) * kHalfSide;
+        const float cx = tx < kLastTexel ? tx : kLastTexel, cy = ty < kLastTexel ? ty : kLastTexel;
+        texels[i] = r.map[i] + static_cast<int>(cy > 0 ? cy : 0) * kMapSide + static_cast<int>(cx > 0 ? cx : 0);
+    }
     float sum = 0;
-    for (std::size_t i = 0; i < lights_.size(); ++i) sum += importances[i] = importance(lights_[i], at);
-    sum += importances[lights_.size()] = triangleImportance(at);
-    return sum;
+    for (std::size_t i = 0; i < lights_.size(); ++i)
+        sums[i] = sum += maps_[static_cast<std::size_t>(texels[i])] * factors[i];
+    sum += triangleImportance(at);
+    std::fill(sums.begin() + static_cast<std::ptrdiff_t>(lights_.size()), sums.end(), sum);
+}
+
+float LightSampler::importanceIn(const Sums& sums, std::uint32_t light) {
+    return light == 0 ? sums[0] : sums[light] - sums[light - 1];
 }
 
 float LightSampler::mixed(float importance, float sum, float powerShare) const {
@@ -144,32 +168,29 @@ float LightSampler::mixed(float importance, float sum, float powerShare) const {
 }
 
 LightSampler::Choice LightSampler::choose(const Receiver& at, float& u) const {
-    if (manyLights_) {
-        const auto draw = powers_.draw(u);
+    Sums sums;
+    float sum = 0;
+    if (!manyLights_) weigh(at, sums), sum = sums.back();
+    if (!(sum > 0) || u < kDefensive) {
+        const auto draw = powers_.draw(sum > 0 ? u / kDefensive : u);
         u = draw.rest;
-        return {draw.index, draw.probability};
+        return {draw.index, manyLights_ ? draw.probability : mixed(importanceIn(sums, draw.index), sum, draw.probability)};
     }
-    std::array<float, kManyLights + 1> importances;
-    const float sum = weigh(at, importances.data());
-    float below = 0;
-    Choice choice{kNoLight, 0};
-    for (std::uint32_t i = 0; i <= lights_.size(); ++i) {
-        const float share = i < lights_.size() ? lights_[i].powerShare : trianglesPowerShare_;
-        const float p = mixed(importances[i], sum, share);
-        if (!(p > 0)) continue;
-        choice = {i, p};  // rounding may leave u above the last sum: the last possible light takes it
-        if (u < below + p) break;
-        below += p;
-    }
-    u = choice.probability > 0 ? std::clamp((u - below) / choice.probability, 0.0F, 0x1.fffffep-1F) : 0;
-    return choice;
+    const float wanted = std::min((u - kDefensive) / (1 - kDefensive), 0x1.fffffep-1F) * sum;
+    std::uint32_t light = 0;  // the first whose sum is above what is wanted, counted without branches
+    for (const float below : sums) light += below <= wanted ? 1U : 0U;
+    light = std::min(light, static_cast<std::uint32_t>(lights_.size()));
+    const float importance = importanceIn(sums, light);
+    if (!(importance > 0)) return {kNoLight, 0};  // rounding put what is wanted beyond the last light
+    u = std::clamp((wanted - (sums[light] - importance)) / importance, 0.0F, 0x1.fffffep-1F);
+    return {light, mixed(importance, sum, powerShare(light))};
 }
 
 float LightSampler::probability(const Receiver& at, std::uint32_t light) const {
     if (manyLights_) return powers_.probability(light);
-    std::array<float, kManyLights + 1> importances;
-    const float sum = weigh(at, importances.data());
-    return mixed(importances[light], sum, light < lights_.size() ? lights_[light].powerShare : trianglesPowerShare_);
+    Sums sums;
+    weigh(at, sums);
+    return mixed(importanceIn(sums, light), sums.back(), powerShare(light));
 }
 
 LightSample LightSampler::sample(const Receiver& at, float uSelect, Vec2 u) const {

@@ -6,6 +6,7 @@
 #include "engine/scene/opening.h"
 #include "engine/scene/scene.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -59,7 +60,7 @@ private:
         PlacedOpening opening;
         const CandelaTable* table;
         std::uint32_t luminaire;
-        std::uint32_t importanceMap;  // index into maps_
+        std::uint32_t type;
         float radius;                 // of the opening about its centre [m]
         float scale;                  // of the table
         float powerShare;             // of all lights
@@ -70,11 +71,19 @@ private:
         float areaM2;
         Vec3 centroid;
     };
-    /// Intensity by direction, coarse and quick: octahedral map. It decides only how often a light is asked.
-    struct ImportanceMap {
-        std::vector<float> intensity;  // kMapSide^2
-        [[nodiscard]] float at(const Vec3& localDirection) const;
+    /// What weighing a light takes, a row for each number: weighing all lights at every vertex of every path is
+    /// the dearest thing beside the rays, and in rows the compiler does several at once.
+    struct WeighingRows {
+        using Row = std::array<float, kManyLights>;
+        Row x{}, y{}, z{};                 // centre [m]
+        Row radius{};                      // of the opening about its centre [m]
+        Row tx{}, ty{}, tz{}, bx{}, by{}, bz{}, nx{}, ny{}, nz{};  // axes of its frame
+        Row scale{};                       // of the table; 0 beyond the last light
+        std::array<int, kManyLights> map{};  // where the light's importance map begins in maps_
     };
+    /// Sums of importances up to each light, the triangles last.
+    using Sums = std::array<float, kManyLights + 1>;
+
     static constexpr int kMapSide = 32;
 
     struct Choice {
@@ -84,11 +93,15 @@ private:
 
     void addLuminaires(const Scene& scene);
     void addTriangles(const Scene& scene);
-    [[nodiscard]] ImportanceMap importanceMap(const CandelaTable& table) const;
-    [[nodiscard]] float importance(const Light& light, const Receiver& at) const;
+    void addImportanceMap(const CandelaTable& table);
+    void fillRows();
     [[nodiscard]] float triangleImportance(const Receiver& at) const;
-    /// Importances of all lights, the triangles last; returns their sum. #L + 1 <= kManyLights + 1
-    float weigh(const Receiver& at, float* importances) const;
+    /// At most kManyLights lights. Entries beyond the triangles' repeat the sum of all.
+    void weigh(const Receiver& at, Sums& sums) const;
+    [[nodiscard]] float powerShare(std::uint32_t light) const {
+        return light < lights_.size() ? lights_[light].powerShare : trianglesPowerShare_;
+    }
+    [[nodiscard]] static float importanceIn(const Sums& sums, std::uint32_t light);
     [[nodiscard]] float mixed(float importance, float sum, float powerShare) const;
     [[nodiscard]] Choice choose(const Receiver& at, float& u) const;
     [[nodiscard]] float probability(const Receiver& at, std::uint32_t light) const;
@@ -101,7 +114,10 @@ private:
     bool manyLights_;
     std::vector<Light> lights_;
     std::vector<std::uint32_t> lightOfLuminaire_;  // index into lights_, kNoLight
-    std::vector<ImportanceMap> maps_;
+    /// Intensity by direction, coarse and quick: an octahedral map of kMapSide^2 for each type of luminaire, one
+    /// after the other. They decide only how often a light is asked.
+    std::vector<float> maps_;
+    WeighingRows rows_;
     AliasTable powers_;                            // of lights_, then the triangles as one
     std::vector<TriangleLight> triangles_;
     std::vector<std::vector<std::uint32_t>> triangleIndex_;  // by mesh and triangle: index into triangles_
