@@ -89,12 +89,12 @@ RoomRun runRoom(const Room& room, const std::string& algorithm, std::uint32_t sa
     return {meanOf(run), run.counters(), clock.seconds()};
 }
 
-/// What the room's mean is, from 8 times the largest budget with another seed.
+/// What the room's mean is, from 4 times the largest budget with another seed.
 const Mean& reference(const Room& room, const std::string& algorithm) {
     static std::map<std::string, Mean> known;
     const auto key = room.name + "/" + algorithm;
     auto it = known.find(key);
-    if (it == known.end()) it = known.emplace(key, runRoom(room, algorithm, 8 * 1024, 99).mean).first;
+    if (it == known.end()) it = known.emplace(key, runRoom(room, algorithm, 4 * 1024, 99).mean).first;
     return it->second;
 }
 
