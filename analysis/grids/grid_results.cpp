@@ -94,8 +94,11 @@ double largestStatisticError(const std::vector<GridResult>& grids) {
     double largest = 0;
     for (const auto& grid : grids) {
         if (grid.columns > 0)
-            for (const auto* s : {&grid.mean, &grid.minimum, &grid.uniformity})
-                largest = std::max(largest, relativeError(s->interval));
+            for (const auto* s : {&grid.mean, &grid.minimum, &grid.uniformity}) {
+                // A grid that is certainly dark has no uniformity: no sample will ever make it known.
+                const bool dark = grid.mean.interval.value == 0 && grid.mean.interval.ci95 == 0;
+                if (!(dark && s == &grid.uniformity)) largest = std::max(largest, relativeError(s->interval));
+            }
         else
             for (const auto& point : grid.points) largest = std::max(largest, pointError(grid, point));
     }
