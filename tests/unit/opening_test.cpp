@@ -118,6 +118,7 @@ TEST_P(Opening, RaysMeetThePointsTheyAreAimedAt) {
             ++nearSide;
         } else {
             ASSERT_LT(met->distance, distance + slack);
+            if (distance - met->distance < 4 * slack) continue;  // it only cuts an edge: way in and way out are one
             const auto far = opening.intersect(origin, direction, distance - slack, kInfinity);
             ASSERT_TRUE(far) << "the way out";
             ASSERT_GT(dot(far->normal, direction), 0);
