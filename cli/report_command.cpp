@@ -9,11 +9,14 @@
 #include "cli/solve_run.h"
 #include "cli/tone.h"
 #include "engine/core/file.h"
+#include "engine/io/image_files.h"
 #include "tonemap/falsecolor.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -24,7 +27,7 @@ namespace luxdeck::cli {
 namespace {
 
 struct Options {
-    std::string project, output, from;
+    std::string project, output, from, pictures;
     Effort effort;
     double viewSeconds = 6;
     bool falseColour = true;
@@ -48,23 +51,36 @@ std::string methodText(const std::string& algorithm) {
                        "of errors in reflectances, photometry or maintenance factors.", algorithm, summary, 32);
 }
 
-/// One view as an eye would see it, and in false colour for the first.
+/// The view at the size that its time can render without much noise, at most its own. About 60,000 pixels a
+/// second; a printed page shows no more than the least of it anyway.
+View sized(const View& view, double seconds) {
+    const double pixels = static_cast<double>(view.width) * view.height;
+    const double scale = std::sqrt(std::max(3e5, 6e4 * seconds) / pixels);
+    if (scale >= 1) return view;
+    View out = view;
+    out.width = std::max(1, static_cast<int>(view.width * scale)), out.height = std::max(1, static_cast<int>(view.height * scale));
+    return out;
+}
+
+/// Views as an eye would see them, the first in false colour too.
 class ViewPages {
 public:
     ViewPages(const Loaded& loaded, const Options& o, Context& context) : loaded_(loaded), o_(o), context_(context) {}
 
-    Result<void> add(const View& view, bool alsoFalseColour, ReportContents& contents) {
+    Result<void> add(const View& wanted, bool cover, ReportContents& contents) {
+        const double seconds = o_.viewSeconds * (cover ? 2 : 1);
+        const View view = sized(wanted, seconds);
         RenderSettings settings;
         settings.algorithm = o_.effort.algorithm;
         settings.algorithmSettings = o_.effort.settings();
         settings.seed = context_.common.seed;
         settings.targetError = 0.005;
-        settings.timeSeconds = o_.viewSeconds;
+        settings.timeSeconds = seconds;
         const auto picture = render(loaded_.project, loaded_.lit, view, settings, context_.progress);
         if (!picture) return picture.error();
         if (picture->samplesPerPixel == 0) return {};  // interrupted before there was one
         if (auto ok = addToneMapped(view, *picture, contents); !ok) return ok;
-        return alsoFalseColour ? addFalseColour(view, *picture, contents) : Result<void>{};
+        return cover && o_.falseColour ? addFalseColour(view, *picture, contents) : Result<void>{};
     }
 
 private:
@@ -81,6 +97,7 @@ private:
         if (!shown) return shown.error();
         auto png = pngBytes(shown->image);
         if (!png) return png.error();
+        if (auto saved = save(view, picture.image, *png); !saved) return saved;
         auto page = pageOf(view, picture);
         page.operatorName = std::string(name(shown->record.op));
         page.operatorText = operatorText(shown->record);
@@ -89,6 +106,17 @@ private:
         contents.views.push_back(std::move(page));
         displayTransform_ = shown->transform;
         return {};
+    }
+
+    /// The picture beside the report, as numbers and as it is printed.
+    Result<void> save(const View& view, const Image& picture, const std::string& png) const {
+        if (o_.pictures.empty()) return {};
+        std::string name = view.name;
+        for (auto& c : name)
+            if (c == '/' || c == ' ') c = '-';
+        const auto base = std::filesystem::path(o_.pictures) / name;
+        if (auto ok = writeExr(base.string() + ".exr", picture); !ok) return ok;
+        return writeFileAtomically(base.string() + ".png", png);
     }
 
     Result<void> addFalseColour(const View& view, const RenderResult& picture, ReportContents& contents) const {
@@ -162,7 +190,7 @@ Exit runReport(const Options& o, Context& context) {
     bool first = true;
     for (const auto& view : (*loaded)->project.views) {
         if (context.progress.cancelled()) break;
-        if (const auto ok = pages.add(view, first && o.falseColour, contents); !ok) return complain(ok.error());
+        if (const auto ok = pages.add(view, first, contents); !ok) return complain(ok.error());
         first = false;
     }
     if (context.progress.cancelled()) contents.solve.complete = false;
@@ -182,6 +210,7 @@ Command addReport(CLI::App& program) {
     app->add_option_function<std::string>("--view-time", [o](const std::string& text) {
         if (const auto wrong = parseSeconds(text, o->viewSeconds); !wrong.empty()) throw CLI::ValidationError("--view-time", wrong);
     }, "Time for each picture in seconds (default 6)")->type_name("S");
+    app->add_option("--pictures", o->pictures, "Folder for the pictures themselves: .exr in cd/m² and .png")->check(CLI::ExistingDirectory)->type_name("DIR");
     app->add_flag("!--no-false-colour", o->falseColour, "Leave out the false-colour page");
     addEffort(*app, o->effort);
     app->final_callback([o] {
