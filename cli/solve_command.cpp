@@ -80,7 +80,7 @@ Command addSolve(CLI::App& program) {
         Effort effort;
     };
     const auto o = std::make_shared<Options>();
-    auto* app = program.add_subcommand("solve", "Illuminance on every calculation grid: value ± 95 % interval, Ēm, Emin, Uo and verdicts");
+    auto* app = program.add_subcommand("solve", "Illuminance on every calculation grid: value ± 95 % interval, Em, Emin, Uo and verdicts");
     app->add_option("project", o->project, "project.toml")->required()->type_name("PROJECT");
     app->add_option("-o,--output", o->output, "File for the result; - is stdout")->capture_default_str()->type_name("FILE");
     addEffort(*app, o->effort);

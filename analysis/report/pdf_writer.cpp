@@ -12,6 +12,7 @@
 
 #include <QBuffer>
 #include <QGuiApplication>
+#include <QLoggingCategory>
 #include <QHash>
 #include <QPdfWriter>
 
@@ -32,6 +33,8 @@ constexpr int kDotsPerInch = 1200;
 /// Qt needs an application for fonts; the command line has none, the desktop program has its own.
 void ensureApplication() {
     if (QCoreApplication::instance() != nullptr) return;
+    // Its notes on desktop services ("XDG_RUNTIME_DIR not set") would stand between ours; what matters is in the Result.
+    QLoggingCategory::setFilterRules("default.warning=false");
     static int count = 3;
     static char name[] = "luxdeck", option[] = "-platform", platform[] = "offscreen";
     static char* arguments[] = {name, option, platform, nullptr};

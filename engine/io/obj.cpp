@@ -277,6 +277,8 @@ Result<ScenePart> readObj(const std::filesystem::path& path, const GeometryPlace
     try {
         const auto bytes = readFile(path);
         if (!bytes) return bytes.error();
+        if (bytes->find('\0') != std::string::npos)  // nothing in it would be an error: unknown lines are left out
+            return Error{ErrorCode::Parse, "holds zero bytes, expected the text of an OBJ file", path.string()};
         ScenePart part;
         WarningList warnings;
         part.scene.name = path.stem().string();
