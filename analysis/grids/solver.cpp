@@ -111,14 +111,19 @@ private:
         return work > 1.2 && std::isfinite(slope) ? std::clamp(slope, 0.5, 1.0) : 0.5;
     }
 
-    /// Samples for each replicate that bring the point to its aim.
     [[nodiscard]] double needed(const Point& p) const {
+        const auto& grid = result_.grids[p.grid];
+        return needed(p, aimOf(grid, grid.points[p.index]));
+    }
+
+    /// Samples for each replicate that bring the point to an error.
+    [[nodiscard]] double needed(const Point& p, double aim) const {
         const auto& grid = result_.grids[p.grid];
         const auto& point = grid.points[p.index];
         const double have = static_cast<double>(point.samples) / kReplicates;
         if (have == 0) return kPilot;
         if (!(settings_.targetError > 0)) return std::numeric_limits<double>::infinity();
-        const double ratio = pointError(grid, point) / aimOf(grid, point);
+        const double ratio = pointError(grid, point) / aim;
         return ratio <= 1 ? have : have * std::pow(ratio, 1 / errorExponent());
     }
 
@@ -134,12 +139,13 @@ private:
     }
 
     /// How long it will take, told anew after each round. The second round's word, the first that has seen
-    /// how fast the error falls, goes on record.
+    /// how fast the error falls, goes on record. Points alone are counted: what Emin and Uo still need is
+    /// known only when the darkest points have been told apart.
     void predict() {
         if (!(settings_.targetError > 0) || settings_.samples) return;
         double paths = 0;
         for (std::size_t i = 0; i < points_.size(); ++i)
-            paths += kReplicates * std::max(0.0, needed(points_[i]) - run_.sums()[i].perReplicate);
+            paths += kReplicates * std::max(0.0, needed(points_[i], kAim * settings_.targetError) - run_.sums()[i].perReplicate);
         state_.secondsLeft = paths / std::max(run_.pathsPerSecond(), 1.0);
         if (result_.trace.size() <= 2) result_.predictedSeconds = run_.seconds() + state_.secondsLeft;
         progress_.report(state_);
