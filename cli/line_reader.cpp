@@ -7,11 +7,17 @@ namespace luxdeck::cli {
 
 namespace {
 constexpr std::size_t kLongestLine = 65536;
+constexpr int kStepMs = 100;
 }
 
 bool LineReader::fill(bool wait) {
+    // A signal just before a read would be missed by it: wait in short steps, and look for one between them.
     pollfd waiting{descriptor_, POLLIN, 0};
-    if (ended_ || (!wait && ::poll(&waiting, 1, 0) <= 0)) return false;
+    while (!ended_ && ::poll(&waiting, 1, wait ? kStepMs : 0) <= 0) {
+        if (!wait) return false;
+        ended_ = progress_.cancelled();
+    }
+    if (ended_) return false;
     if (start_ > 0) buffer_.erase(0, start_), start_ = 0;
     char block[65536];
     const auto got = ::read(descriptor_, block, sizeof block);

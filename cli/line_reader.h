@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/core/progress.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -10,7 +12,7 @@ namespace luxdeck::cli {
 /// a program that waits for each answer gets it and a file is read in large batches. Memory is bounded.
 class LineReader {
 public:
-    explicit LineReader(int descriptor) : descriptor_(descriptor) {}
+    LineReader(int descriptor, const Progress& progress) : descriptor_(descriptor), progress_(progress) {}
 
     /// Replaces `lines` by the next 1 .. most lines; false at the end, when interrupted, or when failed().
     bool next(std::vector<std::string>& lines, std::size_t most);
@@ -22,6 +24,7 @@ private:
     bool take(std::string& line);
 
     int descriptor_;
+    const Progress& progress_;
     std::string buffer_;
     std::size_t start_ = 0;  // of what is unread in buffer_
     bool ended_ = false;

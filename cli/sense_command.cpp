@@ -163,7 +163,7 @@ Exit runSense(const Options& o, Context& context) {
     auto estimator = makeEstimator(o.effort.algorithm, (*loaded)->lit.transport(), o.effort.settings());
     if (!estimator) return complain(estimator.error());
     Sense sense(**loaded, **estimator, o, context);
-    LineReader reader(0);
+    LineReader reader(0, context.progress);
     std::vector<std::string> lines;
     while (reader.next(lines, kMostLines) && !context.progress.cancelled())  // an interrupted read may end amid a line
         if (const auto written = writeOutput("-", sense.answer(lines)); !written) return complain(written.error());
