@@ -18,6 +18,9 @@ namespace {
 
 constexpr std::uint32_t kPilot = 8;  // first samples of each replicate
 
+/// Paths a point below which lamps seen by way of mirrors and panes make intervals too narrow.
+constexpr double kPathsForSpecular = 4096;
+
 /// Aim a little below the target: a point that ends just above it would cost a round more.
 constexpr double kAim = 0.93;
 
@@ -31,6 +34,7 @@ public:
         state_.stage = "solving";
         result_.kernel = lit.raycaster().kernel();
         result_.leftOut = leftOut(lit.needs());
+        specularChains_ = lit.needs().specularChains && settings.algorithm == "path";
     }
 
     SolveResult run() {
@@ -169,6 +173,10 @@ private:
         r.version = kVersion;
         r.warnings = project_.scene.warnings;
         addWarnings(r);
+        const double pathsPerPoint = static_cast<double>(r.samples) / static_cast<double>(points_.size());
+        if (specularChains_ && r.samples > 0 && pathsPerPoint < kPathsForSpecular)
+            r.warnings.push_back(fmt::format("lamps mirrored in panes or mirrors are found by chance, and {:.0f} paths a point are few: intervals may be too "
+                                             "narrow (docs/decisions/0004-replicates.md)", pathsPerPoint));
     }
 
     [[nodiscard]] bool allSampled() const {
@@ -196,6 +204,7 @@ private:
     SamplingRun run_;
     ProgressState state_;
     SolveResult result_;
+    bool specularChains_ = false;
 };
 
 }  // namespace
