@@ -3,7 +3,7 @@
 #include "analysis/grids/sampling_run.h"
 #include "engine/io/project.h"
 
-#include <time.h>
+#include <ctime>
 
 #include <algorithm>
 #include <string>

@@ -59,7 +59,7 @@ const std::vector<Library>& libraries() {
     static const std::vector<std::string> everywhere = {"engine", "tonemap", "analysis", "cli", "gui", "tests"};
     static const std::vector<Library> table = {
         {"the standard library", std::regex("[a-z_0-9]+"), everywhere},
-        {"POSIX", std::regex("(sys|netinet|arpa)/.*|(unistd|fcntl|dirent|poll|signal|termios|netdb|spawn|pthread)\\.h"),
+        {"POSIX", std::regex("(sys|netinet|arpa)/.*|(unistd|fcntl|dirent|poll|signal|termios|netdb|spawn|pthread|malloc)\\.h"),
          everywhere},
         {"fmt", std::regex("fmt/.*"), everywhere},
         {"Imath", std::regex("Imath/.*"), {"engine", "tonemap", "analysis", "gui", "tests"}},
@@ -73,7 +73,7 @@ const std::vector<Library>& libraries() {
         {"assimp", std::regex("assimp/.*"), {"engine/io"}},
         {"tinygltf", std::regex("tiny_?gltf.*"), {"engine/io"}},
         {"nlohmann json", std::regex("nlohmann/.*"), {"engine/io", "analysis", "cli", "tests"}},
-        {"Embree", std::regex("embree.*"), {"engine/raycast"}},
+        {"Embree", std::regex("embree.*"), {"engine/raycast", "tests/bench"}},
         {"LMDB", std::regex("lmdb.*"), {"engine/holodeck"}},
         {"MPI", std::regex("mpi\\.h"), {"engine/cluster"}},
         {"OpenColorIO", std::regex("OpenColorIO/.*"), {"tonemap"}},
