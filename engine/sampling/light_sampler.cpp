@@ -123,7 +123,10 @@ float LightSampler::triangleImportance(const Receiver& at) const {
 
 /// A light's importance is the intensity that its map has towards the receiver, times the cosine there (of the
 /// opening's highest point), over d^2. Written without branches, so that it is compiled to vector instructions.
-void LightSampler::weigh(const Receiver& at, Sums& sums) const {
+/// Entries beyond the triangles' repeat the sum of all.
+LightSampler::Weights LightSampler::weigh(const Receiver& at) const {
+    if (manyLights_) return {};
+    Weights sums;
     constexpr float kHalfSide = 0.5F * kMapSide, kLastTexel = kMapSide - 1;
     const auto& r = rows_;
     const Vec3 p = at.position, n = at.normal;
@@ -157,9 +160,10 @@ void LightSampler::weigh(const Receiver& at, Sums& sums) const {
         sums[i] = sum += maps_[static_cast<std::size_t>(texels[i])] * factors[i];
     sum += triangleImportance(at);
     std::fill(sums.begin() + static_cast<std::ptrdiff_t>(lights_.size()), sums.end(), sum);
+    return sums;
 }
 
-float LightSampler::importanceIn(const Sums& sums, std::uint32_t light) {
+float LightSampler::importanceIn(const Weights& sums, std::uint32_t light) {
     return light == 0 ? sums[0] : sums[light] - sums[light - 1];
 }
 
@@ -167,10 +171,8 @@ float LightSampler::mixed(float importance, float sum, float powerShare) const {
     return sum > 0 ? (1 - kDefensive) * importance / sum + kDefensive * powerShare : powerShare;
 }
 
-LightSampler::Choice LightSampler::choose(const Receiver& at, float& u) const {
-    Sums sums;
-    float sum = 0;
-    if (!manyLights_) weigh(at, sums), sum = sums.back();
+LightSampler::Choice LightSampler::choose(const Weights& sums, float& u) const {
+    const float sum = manyLights_ ? 0 : sums.back();
     if (!(sum > 0) || u < kDefensive) {
         const auto draw = powers_.draw(sum > 0 ? u / kDefensive : u);
         u = draw.rest;
@@ -188,14 +190,13 @@ LightSampler::Choice LightSampler::choose(const Receiver& at, float& u) const {
 
 float LightSampler::probability(const Receiver& at, std::uint32_t light) const {
     if (manyLights_) return powers_.probability(light);
-    Sums sums;
-    weigh(at, sums);
+    const Weights sums = weigh(at);
     return mixed(importanceIn(sums, light), sums.back(), powerShare(light));
 }
 
-LightSample LightSampler::sample(const Receiver& at, float uSelect, Vec2 u) const {
+LightSample LightSampler::sample(const Receiver& at, const Weights& weights, float uSelect, Vec2 u) const {
     if (empty()) return {};
-    const auto choice = choose(at, uSelect);
+    const auto choice = choose(weights, uSelect);
     if (choice.light == kNoLight) return {};
     auto sample = choice.light < lights_.size() ? sampleLuminaire(lights_[choice.light], at, u)
                                                 : sampleTriangle(at, {uSelect, u.x});

@@ -42,8 +42,15 @@ public:
 
     [[nodiscard]] bool empty() const { return lights_.empty() && triangles_.empty(); }
 
+    /// How much each light matters at a receiver: sums of importances up to each, the triangles last. Nothing
+    /// where there are too many lights to weigh.
+    using Weights = std::array<float, kManyLights + 1>;
+    [[nodiscard]] Weights weigh(const Receiver& at) const;
+
     /// uSelect chooses the light, u the point on it.
-    [[nodiscard]] LightSample sample(const Receiver& at, float uSelect, Vec2 u) const;
+    [[nodiscard]] LightSample sample(const Receiver& at, float uSelect, Vec2 u) const { return sample(at, weigh(at), uSelect, u); }
+    /// The same for a receiver that was weighed before: a sensor is asked thousands of times at one place.
+    [[nodiscard]] LightSample sample(const Receiver& at, const Weights& weights, float uSelect, Vec2 u) const;
 
     /// Radiance that an opening gives into a unit direction leaving it [cd/m^2].
     [[nodiscard]] Rgb openingRadiance(std::uint32_t luminaire, const Vec3& leaving) const;
@@ -81,9 +88,6 @@ private:
         Row scale{};                       // of the table; 0 beyond the last light
         std::array<int, kManyLights> map{};  // where the light's importance map begins in maps_
     };
-    /// Sums of importances up to each light, the triangles last.
-    using Sums = std::array<float, kManyLights + 1>;
-
     static constexpr int kMapSide = 32;
 
     struct Choice {
@@ -96,14 +100,12 @@ private:
     void addImportanceMap(const CandelaTable& table);
     void fillRows();
     [[nodiscard]] float triangleImportance(const Receiver& at) const;
-    /// At most kManyLights lights. Entries beyond the triangles' repeat the sum of all.
-    void weigh(const Receiver& at, Sums& sums) const;
     [[nodiscard]] float powerShare(std::uint32_t light) const {
         return light < lights_.size() ? lights_[light].powerShare : trianglesPowerShare_;
     }
-    [[nodiscard]] static float importanceIn(const Sums& sums, std::uint32_t light);
+    [[nodiscard]] static float importanceIn(const Weights& sums, std::uint32_t light);
     [[nodiscard]] float mixed(float importance, float sum, float powerShare) const;
-    [[nodiscard]] Choice choose(const Receiver& at, float& u) const;
+    [[nodiscard]] Choice choose(const Weights& sums, float& u) const;
     [[nodiscard]] float probability(const Receiver& at, std::uint32_t light) const;
     [[nodiscard]] static bool shared(const Receiver& at, const Light& light);
     [[nodiscard]] static bool shared(const Receiver& at, const TriangleLight& light);

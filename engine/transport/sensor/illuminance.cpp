@@ -32,8 +32,12 @@ public:
     }
 
     void choose(std::uint32_t index, const SensorQuery& query, const Receiver& at, SamplePath& numbers) {
+        if (!weighed_ || at.position != weighedAt_.position || at.normal != weighedAt_.normal) {
+            weights_ = scene_.lights.weigh(at);
+            weighedAt_ = at, weighed_ = true;
+        }
         const float uSelect = numbers.next1D();
-        const auto light = scene_.lights.sample(at, uSelect, numbers.next2D());
+        const auto light = scene_.lights.sample(at, weights_, uSelect, numbers.next2D());
         if (!light.lit()) return;
         const float weight = sensorWeight(query.kind, dot(light.direction, query.normal));
         if (!(weight > 0)) return;
@@ -64,6 +68,9 @@ private:
     std::vector<Ray> rays_;
     std::vector<Contribution> contributions_;
     std::vector<std::uint8_t> shadowed_;
+    LightSampler::Weights weights_;  // of the lights at weighedAt_: a batch asks mostly at one place
+    Receiver weighedAt_;
+    bool weighed_ = false;
 };
 
 RadianceQuery directionQuery(const SensorQuery& query, const Receiver& at, const SamplePath& numbers, Vec2 u) {
