@@ -3,6 +3,7 @@
 #include "tonemap/isolines.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace luxdeck::tonemap {

@@ -1,5 +1,7 @@
 #include "analysis/grids/solve_result.h"
 
+#include <optional>
+
 namespace luxdeck {
 
 const char* verdictText(Verdict verdict) {

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <sys/utsname.h>
+#include <optional>
 #include <thread>
 #include <tuple>
 

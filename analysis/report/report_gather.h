@@ -2,6 +2,7 @@
 
 #include "analysis/report/report_contents.h"
 
+#include <optional>
 #include <string>
 
 namespace luxdeck {

@@ -2,6 +2,7 @@
 
 #include "engine/io/gltf_material.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 

@@ -1,5 +1,6 @@
 #include "engine/io/placed_geometry.h"
 
+#include <cmath>
 #include <utility>
 
 namespace luxdeck {

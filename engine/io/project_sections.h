@@ -4,6 +4,7 @@
 #include "engine/io/scene_files.h"
 #include "engine/io/toml_reader.h"
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>

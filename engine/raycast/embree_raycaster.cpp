@@ -17,6 +17,7 @@
 #include <array>
 #include <atomic>
 #include <cstring>
+#include <memory>
 #include <vector>
 
 namespace luxdeck {

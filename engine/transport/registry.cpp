@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+
 namespace luxdeck {
 
 const std::vector<Algorithm>& algorithms() {

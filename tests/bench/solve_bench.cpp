@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace luxdeck::bench {
 

@@ -1,5 +1,6 @@
 #include "tests/support/scenes.h"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

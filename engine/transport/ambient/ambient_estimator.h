@@ -2,6 +2,8 @@
 
 #include "engine/transport/radiance_estimator.h"
 
+#include <memory>
+
 namespace luxdeck {
 
 /// Direct light and a constant ambient term; see the card beside this file.

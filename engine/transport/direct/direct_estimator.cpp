@@ -2,6 +2,8 @@
 
 #include "engine/transport/sensor/illuminance.h"
 
+#include <memory>
+
 namespace luxdeck {
 
 namespace {

@@ -2,6 +2,8 @@
 
 #include "engine/transport/radiance_estimator.h"
 
+#include <memory>
+
 namespace luxdeck {
 
 /// Unbiased path tracing; see the card beside this file.

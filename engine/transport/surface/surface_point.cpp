@@ -1,6 +1,8 @@
 #include "engine/transport/surface/surface_point.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace luxdeck {
 

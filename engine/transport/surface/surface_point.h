@@ -5,6 +5,9 @@
 #include "engine/scene/needs.h"
 #include "engine/scene/scene.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace luxdeck {
 
 /// A point of a surface as a ray meets it. Every surface has two sides and the normals face the ray.
