@@ -52,7 +52,7 @@ Json photometryJson(const Photometry& p) {
 
 std::string photometryText(const Photometry& p) {
     const auto& t = p.table;
-    std::string text = fmt::format("{}  ({})\n  photometry  {}, type {}, {}, symmetry {}\n  angles      {} vertical, {} horizontal\n", p.name, p.manufacturer,
+    std::string text = fmt::format("{}{}\n  photometry  {}, type {}, {}, symmetry {}\n  angles      {} vertical, {} horizontal\n", p.name.empty() ? "luminaire without a name" : p.name, p.manufacturer.empty() ? "" : "  (" + p.manufacturer + ")",
                                    p.format, typeText(t.type()), p.absolute ? "absolute" : "relative", symmetryText(p.symmetry),
                                    t.vertical().size(), t.horizontal().size());
     text += fmt::format("  lumens      {:.1f} integrated, {} declared\n  candela     {:.1f} at most\n  opening     {} {:.3f} x {:.3f} x {:.3f} m (length along C0-C180)\n", t.lumens(),

@@ -49,8 +49,8 @@ std::vector<LeftOut> leftOut(const SceneNeeds& needs) {
     unless(needs.textures, "textures", "no material uses a picture");
     unless(needs.smoothNormals, "interpolated normals", "every mesh is flat shaded");
     unless(needs.sky, "sky", "the project has none");
-    unless(needs.meshLights, "emitting surfaces", "light comes from luminaires alone");
-    unless(needs.luminaireSurfaces, "luminous openings as surfaces", "every luminaire is a point");
+    unless(needs.meshLights, "emitting surfaces", "no surface emits");
+    unless(needs.luminaireSurfaces, "luminous openings as surfaces", "no luminaire has an opening with an extent");
     unless(needs.manyLights, "a hierarchy over the luminaires", "so few that each is weighed at every point");
     unless(needs.colour, "colour", "all materials and lamps are grey: luminance alone is enough");
     unless(needs.rebasing, "re-basing", "the scene lies near its origin");

@@ -24,7 +24,9 @@ void expectNoRoom(const ProcessResult& result) {
 void expectOldFileKept(const std::vector<std::string>& arguments, const std::string& output, std::size_t room = kRoom) {
     const Scratch scratch;
     scratch.writeRoom();
-    if (arguments[0] == "tonemap") ASSERT_EQ(scratch.run({"render", "project.toml", "-o", "in.exr", "--samples", "1"}).exitStatus, 0);
+    if (arguments[0] == "tonemap") {
+        ASSERT_EQ(scratch.run({"render", "project.toml", "-o", "in.exr", "--samples", "1"}).exitStatus, 0);
+    }
     scratch.write(output, "the old content");
     auto command = scratch.command(arguments);
     command.largestFile = room;

@@ -96,7 +96,9 @@ TEST(Help, ManualIsCleanTroff) {
     groff.arguments = {"/usr/bin/groff", "-K", "utf8", "-man", "-ww", "-z"};
     const auto result = runProcess(groff, manual.out);
     EXPECT_EQ(result.exitStatus, 0);
-    if (result.err.find("preconv") == std::string::npos) EXPECT_EQ(result.err, "");  // groff-base comes without it
+    if (result.err.find("preconv") == std::string::npos) {  // groff-base comes without it
+        EXPECT_EQ(result.err, "");
+    }
 }
 
 TEST(Pictures, SizeViewAndQuantity) {
