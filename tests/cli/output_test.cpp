@@ -136,7 +136,7 @@ TEST(Pictures, EveryToneMapperWritesAPng) {
         EXPECT_EQ(result.exitStatus, 0) << result.err;
         EXPECT_TRUE(scratch.read("f.png").starts_with("\x89PNG")) << way[0];
     }
-    for (const std::vector<std::string> range : {std::vector<std::string>{"100", "10"}, {"nan", "10"}, {"0", "10"}}) {
+    for (const std::vector<std::string>& range : {std::vector<std::string>{"100", "10"}, {"nan", "10"}, {"0", "10"}}) {
         const auto result = scratch.run({"tonemap", "f.exr", "-o", "g.png", "--false-colour", "--range", range[0], range[1]});
         EXPECT_TRUE(result.exitStatus == 2 || result.exitStatus == 3) << result.err;
         EXPECT_FALSE(scratch.has("g.png"));
