@@ -1,5 +1,6 @@
 #ifdef LUXDECK_REPORT
 
+#include "analysis/grids/measurement.h"
 #include "analysis/pictures/render.h"
 #include "analysis/report/pdf_writer.h"
 #include "analysis/report/report_gather.h"
@@ -48,7 +49,7 @@ std::string methodText(const std::string& algorithm) {
                        "follows from their spread (Student's t). The interval of a grid's mean accounts for its points' independent errors; minimum and "
                        "uniformity have intervals of their own, since the smallest of uncertain values is biased. A requirement is met or not met when the "
                        "whole interval is on one side of the limit, and undecided otherwise. Intervals hold for this model of the room: they say nothing "
-                       "of errors in reflectances, photometry or maintenance factors.", algorithm, summary, 32);
+                       "of errors in reflectances, photometry or maintenance factors.", algorithm, summary, kReplicates);
 }
 
 /// The view at the size that its time can render without much noise, at most its own. About 60,000 pixels a
