@@ -119,6 +119,9 @@ void addSlot(HashInput& in, const TextureSlot& s) {
 void addMaterial(HashInput& in, const Material& m) {
     in.add(m.kind), in.add(m.reflectance), in.add(m.specular), in.add(m.roughness), in.add(m.metallic);
     in.add(m.transmittance), in.add(m.ior), in.add(m.emission), in.add(m.oneSidedEmission);
+    in.add(m.wardU), in.add(m.wardV), in.add(m.grain), in.add(m.diffuseTransmittance), in.add(m.specularTransmittance);
+    in.add(m.alphaCutoff), in.add(m.reflectancePattern), in.add(m.emissionPattern);
+    in.add(m.mixPattern), in.add(m.mixFirst), in.add(m.mixSecond);
     for (const auto* slot : {&m.reflectanceTexture, &m.metallicRoughnessTexture, &m.emissionTexture}) addSlot(in, *slot);
 }
 
@@ -148,6 +151,10 @@ std::string sceneHash(const Scene& scene) {
         in.add(mesh.material);
     }
     for (const auto& m : scene.materials) addMaterial(in, m);
+    for (const auto& p : scene.patterns) {
+        const auto identity = p->identity();
+        in.addAll(std::vector<char>(identity.begin(), identity.end()));
+    }
     for (const auto& t : scene.textures) {
         in.add(t.width), in.add(t.height), in.add(t.srgb), in.add(t.wrapU), in.add(t.wrapV);
         in.addAll(t.rgba);

@@ -6,10 +6,12 @@
 #include "engine/scene/luminaire.h"
 #include "engine/scene/material.h"
 #include "engine/scene/mesh.h"
+#include "engine/scene/pattern.h"
 #include "engine/scene/sky.h"
 #include "engine/scene/texture.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,7 @@ struct Scene {
     std::vector<Mesh> meshes;
     std::vector<Material> materials;
     std::vector<Texture> textures;
+    std::vector<std::shared_ptr<const Pattern>> patterns;  ///< shared: a scene may be copied
     std::vector<LuminaireType> luminaireTypes;
     std::vector<Luminaire> luminaires;
     Sky sky;
