@@ -219,6 +219,7 @@ LightSample LightSampler::sampleLuminaire(const Light& light, const Receiver& at
     const float d2 = towards.length2();
     if (!(d2 > 0)) return {};
     LightSample out;
+    out.source = light.luminaire;
     out.distance = std::sqrt(d2);
     out.direction = towards / out.distance;
     const Vec3 local = light.opening.frame.toLocal(-out.direction);
@@ -249,6 +250,7 @@ LightSample LightSampler::sampleTriangle(const Receiver& at, Vec2 u) const {
     const float d2 = towards.length2();
     if (!(d2 > 0)) return {};
     LightSample out;
+    out.source = kFromSurfaces;
     out.distance = std::sqrt(d2);
     out.direction = towards / out.distance;
     const float cosine = -dot(triangleCross(mesh, light.triangle), out.direction) / (2 * light.areaM2);

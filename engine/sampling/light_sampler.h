@@ -12,6 +12,12 @@
 
 namespace luxdeck {
 
+/// Where light comes from: the index of a luminaire, or one of these.
+using LightSource = std::uint32_t;
+inline constexpr LightSource kFromSky = 0xffffffffU;       // sky and sun
+inline constexpr LightSource kFromSurfaces = 0xfffffffeU;  // emitting surfaces
+inline constexpr LightSource kFromAmbient = 0xfffffffdU;   // an algorithm's constant term
+
 /// A direction towards a light, chosen by next-event estimation.
 struct LightSample {
     Vec3 direction{0, 0, 1};   // unit, from the point to the light
@@ -19,6 +25,7 @@ struct LightSample {
     Rgb weight;                // radiance over density; of a point light: intensity / d^2 over probability
     float pdfSolidAngle = 0;   // density of the direction; 0: a point, which no other strategy can find
     bool shared = false;       // the receiver's own directions look for this light too: weigh the two
+    LightSource source = kFromSky;
 
     [[nodiscard]] bool lit() const { return !weight.isBlack(); }
 };

@@ -64,6 +64,15 @@ struct SensorSample {
     [[nodiscard]] Rgb total() const { return direct + indirect; }
 };
 
+/// One contribution to one sample, and the light that it comes from. The contributions of a sample add up to
+/// its parts, up to the rounding of their sums.
+struct SourceShare {
+    Rgb light;                 // as the sample's parts
+    std::uint32_t query = 0;   // index into the batch
+    LightSource source = kFromSky;
+    bool direct = false;       // a part of SensorSample::direct, else of indirect
+};
+
 /// What a batch cost and what it lost. Sums of integers, and of one float per batch in index order.
 struct TransportCounters {
     std::uint64_t rays = 0;        // closest-hit and occlusion queries
@@ -91,6 +100,15 @@ public:
     /// samples[i] becomes one estimate of the illuminance at queries[i]; both #Q.
     virtual TransportCounters irradiance(std::span<const SensorQuery> queries,
                                          std::span<SensorSample> samples) const = 0;
+
+    /// Whether irradianceBySource() does its work.
+    [[nodiscard]] virtual bool knowsSources() const { return false; }
+    /// irradiance(), the same bits, with what each light gave in `shares` (cleared first). Rejected samples have none.
+    virtual TransportCounters irradianceBySource(std::span<const SensorQuery> queries, std::span<SensorSample> samples,
+                                                 std::vector<SourceShare>& shares) const {
+        shares.clear();
+        return irradiance(queries, samples);
+    }
 };
 
 /// What every algorithm works on. All must outlive the estimators made from it.

@@ -3,6 +3,7 @@
 #include "engine/transport/sensor/illuminance.h"
 
 #include <memory>
+#include <vector>
 
 namespace luxdeck {
 
@@ -17,6 +18,12 @@ public:
     }
     TransportCounters irradiance(std::span<const SensorQuery> queries, std::span<SensorSample> samples) const override {
         return gatherIlluminance(scene_, {.maxReflections = 0}, queries, samples);
+    }
+    [[nodiscard]] bool knowsSources() const override { return true; }
+    TransportCounters irradianceBySource(std::span<const SensorQuery> queries, std::span<SensorSample> samples,
+                                         std::vector<SourceShare>& shares) const override {
+        shares.clear();
+        return gatherIlluminance(scene_, {.maxReflections = 0, .shares = &shares}, queries, samples);
     }
 
 private:

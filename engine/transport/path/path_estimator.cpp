@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <vector>
 
 namespace luxdeck {
 
@@ -19,6 +20,14 @@ public:
     }
     TransportCounters irradiance(std::span<const SensorQuery> queries, std::span<SensorSample> samples) const override {
         return gatherIlluminance(scene_, settings_, queries, samples);
+    }
+    [[nodiscard]] bool knowsSources() const override { return true; }
+    TransportCounters irradianceBySource(std::span<const SensorQuery> queries, std::span<SensorSample> samples,
+                                         std::vector<SourceShare>& shares) const override {
+        auto settings = settings_;
+        shares.clear();
+        settings.shares = &shares;
+        return gatherIlluminance(scene_, settings, queries, samples);
     }
 
 private:

@@ -44,11 +44,11 @@ public:
         if (!(weight > 0)) return;
         Rgb contribution = light.weight * weight;
         if (light.shared) contribution *= light.pdfSolidAngle / (light.pdfSolidAngle + weight / kPi);
-        contributions_.push_back({contribution, index});
+        contributions_.push_back({contribution, index, light.source});
         rays_.push_back({at.position, 0, light.direction, light.distance * (1 - kShadowShortening)});
     }
 
-    void trace(std::span<SensorSample> samples, TransportCounters& counters) {
+    void trace(std::span<SensorSample> samples, std::vector<SourceShare>* shares, TransportCounters& counters) {
         shadowed_.resize(rays_.size());
         scene_.raycaster.occluded(rays_, shadowed_, Targets::Opaque);
         counters.rays += rays_.size();
@@ -57,6 +57,7 @@ public:
             Rgb contribution = contributions_[i].light;
             if (scene_.needs.transmission) contribution *= paneTransmittance(scene_, rays_[i], counters);
             samples[contributions_[i].index].direct += contribution;
+            if (shares != nullptr) shares->push_back({contribution, contributions_[i].index, contributions_[i].source, true});
         }
     }
 
@@ -64,6 +65,7 @@ private:
     struct Contribution {
         Rgb light;
         std::uint32_t index;
+        LightSource source;
     };
     const TransportScene& scene_;
     std::vector<Ray> rays_;
@@ -107,8 +109,11 @@ TransportCounters gatherIlluminance(const TransportScene& scene, const TracerSet
         const Vec2 u = numbers.next2D();
         directions[i] = directionQuery(queries[i], at, numbers, u);
     }
-    lights.trace(samples, counters);
+    auto* shares = settings.shares;
+    lights.trace(samples, shares, counters);
+    const std::size_t firstOfPaths = shares != nullptr ? shares->size() : 0;
     counters += tracePaths(scene, settings, directions, radiances);
+    for (std::size_t i = firstOfPaths; shares != nullptr && i < shares->size(); ++i) (*shares)[i].light *= kPi;
     for (std::size_t i = 0; i < queries.size(); ++i) {
         auto& sample = samples[i];
         sample.direct += radiances[i].emitted * kPi;  // weight over density is pi for both kinds
@@ -118,6 +123,8 @@ TransportCounters gatherIlluminance(const TransportScene& scene, const TracerSet
         if (sample.failure == RayFailure::None && !isFinite(sample.total())) sample.failure = RayFailure::NotFinite;
         if (sample.failure != RayFailure::None) sample.direct = sample.indirect = Rgb{};
     }
+    if (shares != nullptr)
+        std::erase_if(*shares, [&](const SourceShare& s) { return samples[s.query].failure != RayFailure::None; });
     return counters;
 }
 

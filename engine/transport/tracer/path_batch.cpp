@@ -109,7 +109,7 @@ void PathBatch<S>::shade(std::size_t i) {
         path.from = {point.departure(point.geometricNormal), point.shadingNormal,
                      point.material->kind != MaterialKind::Matte};
         if (!settings_.ambientRadiance.isBlack())
-            add(path.query, 2, path.throughput * bsdf.albedo(wo.z) * fromRgb<S>(settings_.ambientRadiance));
+            add(path.query, 2, kFromAmbient, path.throughput * bsdf.albedo(wo.z) * fromRgb<S>(settings_.ambientRadiance));
         connectLight(path, point, frame, wo, bsdf);
         scatter(path, point, frame, wo, bsdf);
     }
@@ -138,7 +138,7 @@ template <Spectrum S>
 void PathBatch<S>::seeSky(Path& path) {
     path.ended = true;
     if (scene_.needs.sky)  // no other strategy samples it: full weight
-        add(path.query, path.reflections, path.throughput * fromRgb<S>(scene_.scene.sky.radiance(path.ray.direction)));
+        add(path.query, path.reflections, kFromSky, path.throughput * fromRgb<S>(scene_.scene.sky.radiance(path.ray.direction)));
 }
 
 template <Spectrum S>
@@ -153,7 +153,7 @@ void PathBatch<S>::seeOpening(const Path& path, const Hit& hit) {
                           ? scene_.lights.pdfOpening(path.from, hit.luminaire, path.ray.direction)
                           : 0;
     const S radiance = fromRgb<S>(scene_.lights.openingRadiance(hit.luminaire, -path.ray.direction));
-    add(path.query, path.reflections, path.throughput * radiance * weightOfDirection(path, pdf));
+    add(path.query, path.reflections, hit.luminaire, path.throughput * radiance * weightOfDirection(path, pdf));
 }
 
 template <Spectrum S>
@@ -166,7 +166,7 @@ void PathBatch<S>::seeSurface(const Path& path, const Hit& hit, const SurfacePoi
     const float pdf = path.pdfSolidAngle > 0
                           ? scene_.lights.pdfTriangle(path.from, hit.mesh, hit.triangle, distance, cosine)
                           : 0;
-    add(path.query, path.reflections, path.throughput * fromRgb<S>(emitted) * weightOfDirection(path, pdf));
+    add(path.query, path.reflections, kFromSurfaces, path.throughput * fromRgb<S>(emitted) * weightOfDirection(path, pdf));
 }
 
 template <Spectrum S>
@@ -195,7 +195,7 @@ void PathBatch<S>::connectLight(Path& path, const SurfacePoint& point, const Fra
     S contribution = path.throughput * value.cosineWeighted * fromRgb<S>(light.weight);
     if (light.shared) contribution *= light.pdfSolidAngle / (light.pdfSolidAngle + value.pdf);
     if (contribution.isBlack()) return;
-    shadows_.push_back({contribution, path.query, path.reflections + 1});
+    shadows_.push_back({contribution, path.query, path.reflections + 1, light.source});
     shadowRays_.push_back({path.from.position, 0, light.direction, light.distance * (1 - kShadowShortening)});
 }
 
@@ -242,7 +242,7 @@ void PathBatch<S>::traceShadows() {
         S contribution = shadows_[i].contribution;
         if (scene_.needs.transmission)
             contribution *= fromRgb<S>(paneTransmittance(scene_, shadowRays_[i], counters_));
-        add(shadows_[i].query, shadows_[i].reflections, contribution);
+        add(shadows_[i].query, shadows_[i].reflections, shadows_[i].source, contribution);
     }
     shadows_.clear();
     shadowRays_.clear();
@@ -254,9 +254,10 @@ void PathBatch<S>::removeEnded() {
 }
 
 template <Spectrum S>
-void PathBatch<S>::add(std::uint32_t query, int reflections, const S& radiance) {
+void PathBatch<S>::add(std::uint32_t query, int reflections, LightSource source, const S& radiance) {
     auto& sample = samples_[query];
     (reflections == 0 ? sample.emitted : reflections == 1 ? sample.direct : sample.indirect) += toRgb(radiance);
+    if (settings_.shares != nullptr) settings_.shares->push_back({toRgb(radiance), query, source, reflections == 0});
 }
 
 template <Spectrum S>

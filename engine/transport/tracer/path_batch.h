@@ -17,6 +17,8 @@ struct TracerSettings {
     int maxVertices = 20000;       // the cap on what Russian roulette leaves alive
     Rgb ambientRadiance{0.0F};     // constant radiance that every rough surface reflects instead of the
                                    // reflections left out [cd/m^2]
+    std::vector<SourceShare>* shares = nullptr;  // not null: what each light gave is appended to it; of radiance,
+                                                 // `direct` being what was emitted
 };
 
 /// A batch of light paths, followed together from where light is asked for towards the lights: trace all
@@ -50,6 +52,7 @@ private:
         S contribution;
         std::uint32_t query;
         int reflections;
+        LightSource source;
     };
 
     void trace();
@@ -64,7 +67,7 @@ private:
     void traceShadows();
     void removeEnded();
     /// Adds to the part that light with this many reflections belongs to.
-    void add(std::uint32_t query, int reflections, const S& radiance);
+    void add(std::uint32_t query, int reflections, LightSource source, const S& radiance);
     TransportCounters finish();
 
     /// The part of light found by the path's own direction, next-event estimation taking the rest.
