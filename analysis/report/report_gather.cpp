@@ -69,6 +69,9 @@ const char* kindText(MaterialKind kind) {
         case MaterialKind::Mirror: return "mirror";
         case MaterialKind::ThinGlass: return "glass";
         case MaterialKind::MetallicRoughness: return "glTF";
+        case MaterialKind::Ward: return "Ward";
+        case MaterialKind::Dielectric: return "solid glass";
+        case MaterialKind::Mix: return "mixture";
     }
     return "";
 }
@@ -77,7 +80,8 @@ std::vector<MaterialRow> materialsOf(const Scene& scene) {
     std::vector<MaterialRow> rows;
     for (const auto& m : scene.materials) {
         const bool mirror = m.kind == MaterialKind::Metal || m.kind == MaterialKind::Mirror;
-        const Rgb& shown = m.kind == MaterialKind::ThinGlass ? m.transmittance : mirror ? m.specular : m.reflectance;
+        const bool clear = m.kind == MaterialKind::ThinGlass || m.kind == MaterialKind::Dielectric;
+        const Rgb& shown = clear ? m.transmittance : mirror ? m.specular : m.reflectance;
         rows.push_back({m.name, kindText(m.kind), luminance(shown, scene.weights), m.source});
     }
     return rows;

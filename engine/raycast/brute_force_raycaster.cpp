@@ -78,7 +78,7 @@ private:
         best.distance = ray.tMax;
         for (std::size_t m = 0; m < scene_.meshes.size(); ++m) {
             const auto& mesh = scene_.meshes[m];
-            const bool pane = scene_.materials[mesh.material].kind == MaterialKind::ThinGlass;
+            const bool pane = scene_.letsStraightThrough(scene_.materials[mesh.material]);
             if (includes(targets, pane ? Targets::Panes : Targets::Opaque)) closestInMesh(ray, m, best);
         }
         if (includes(targets, Targets::Openings))

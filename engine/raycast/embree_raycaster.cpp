@@ -217,7 +217,7 @@ private:
         if (positions != nullptr) std::memcpy(positions, mesh.positions.data(), mesh.positions.size() * sizeof(Vec3));
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
                                    sizeof(mesh.triangles[0]), mesh.triangles.size());
-        const bool pane = scene.materials[mesh.material].kind == MaterialKind::ThinGlass;
+        const bool pane = scene.letsStraightThrough(scene.materials[mesh.material]);
         attach(pane ? panes_ : opaque_, geometry, index);
     }
 

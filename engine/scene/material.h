@@ -38,8 +38,11 @@ struct Material {
     Vec3 grain{0, 0, 0};      ///< Ward: direction of the grain, in the scene's axes; zero: along u of the texture, or any
     Rgb diffuseTransmittance{0.0F};   ///< Ward: scattered to the far side [-]
     Rgb specularTransmittance{0.0F};  ///< Ward: straight on, spread by the widths [-]
-    float alphaCutoff = 0;    ///< texels of reflectanceTexture whose alpha is below it are holes; 0: none are
-    std::int32_t reflectancePattern = -1;  ///< index into Scene::patterns, multiplies reflectance and specular
+    float alpha = 1;          ///< multiplies the alpha of reflectanceTexture: the covered part of the surface [-]
+    float alphaCutoff = 0;    ///< where alpha is below it there is a hole, elsewhere none; 0: not used
+    bool alphaBlend = false;  ///< the part 1 - alpha of the light goes straight through
+    std::int32_t reflectancePattern = -1;  ///< index into Scene::patterns, multiplies reflectance and specular;
+                                           ///< lowered where the surface would return more than it gets
     std::int32_t emissionPattern = -1;     ///< index into Scene::patterns, multiplies emission
     std::int32_t mixPattern = -1;          ///< Mix: index into Scene::patterns, the fraction of mixFirst (its red)
     std::uint32_t mixFirst = 0;            ///< Mix: index into Scene::materials, not itself a Mix
@@ -52,6 +55,9 @@ struct Material {
     std::string source;              ///< where the numbers are from, for the report
 
     [[nodiscard]] bool emits() const { return !emission.isBlack(); }
+    [[nodiscard]] bool hasHoles() const { return alphaCutoff > 0 || alphaBlend; }
+    /// Ward: without width what it reflects and lets through keeps its direction.
+    [[nodiscard]] bool wardPerfect() const { return wardU == 0 && wardV == 0; }
 };
 
 }  // namespace luxdeck

@@ -6,26 +6,53 @@ namespace luxdeck {
 
 namespace {
 
+bool isSpecularChain(const Material& m) {
+    switch (m.kind) {
+        case MaterialKind::Mirror:
+        case MaterialKind::ThinGlass:
+        case MaterialKind::Dielectric: return true;
+        case MaterialKind::Ward: return m.wardPerfect() && !(m.specular.isBlack() && m.specularTransmittance.isBlack());
+        case MaterialKind::Matte:
+        case MaterialKind::Plastic:
+        case MaterialKind::Metal:
+        case MaterialKind::MetallicRoughness:
+        case MaterialKind::Mix: return false;  // its parts are asked themselves
+    }
+    return false;
+}
+
+void addMaterial(SceneNeeds& needs, const Scene& scene, const Material& m) {
+    needs.specularChains |= isSpecularChain(m);
+    needs.transmission |= scene.letsStraightThrough(m);
+    needs.glossy |= m.kind != MaterialKind::Matte;
+    needs.textures |= m.reflectanceTexture.used() || m.metallicRoughnessTexture.used() || m.emissionTexture.used();
+    needs.meshLights |= m.emits();
+    needs.scatteredTransmission |= m.kind == MaterialKind::Ward && !(m.diffuseTransmittance.isBlack() &&
+                                                                     (m.wardPerfect() || m.specularTransmittance.isBlack()));
+    needs.dielectrics |= m.kind == MaterialKind::Dielectric;
+    needs.alpha |= m.hasHoles();
+    needs.patterns |= m.reflectancePattern >= 0 || m.emissionPattern >= 0 || m.kind == MaterialKind::Mix;
+    for (const auto& c : {m.reflectance, m.specular, m.transmittance, m.emission, m.diffuseTransmittance, m.specularTransmittance})
+        needs.colour |= !c.isGrey();
+}
+
 /// Kinds and features of the materials that meshes really use.
 void addMaterialNeeds(SceneNeeds& needs, const Scene& scene) {
     for (const auto& mesh : scene.meshes) {
         const auto& m = scene.materials[mesh.material];
-        needs.specularChains |= m.kind == MaterialKind::Mirror || m.kind == MaterialKind::ThinGlass;
-        needs.transmission |= m.kind == MaterialKind::ThinGlass;
-        needs.glossy |= m.kind != MaterialKind::Matte;
-        needs.textures |= m.reflectanceTexture.used() || m.metallicRoughnessTexture.used() || m.emissionTexture.used();
+        addMaterial(needs, scene, m);
+        if (m.kind == MaterialKind::Mix)
+            for (const auto part : {m.mixFirst, m.mixSecond}) addMaterial(needs, scene, scene.materials[part]);
         needs.smoothNormals |= !mesh.normals.empty();
-        needs.meshLights |= m.emits();
-        needs.colour |= !m.reflectance.isGrey() || !m.specular.isGrey() || !m.transmittance.isGrey() || !m.emission.isGrey();
     }
 }
 
 }  // namespace
 
 SceneNeeds SceneNeeds::of(const Scene& scene) {
-    SceneNeeds needs{false, false, false, false, false, false, false, false, false, false, false};
+    SceneNeeds needs{false, false, false, false, false, false, false, false, false, false, false, false, false, false, false};
     addMaterialNeeds(needs, scene);
-    needs.colour |= needs.textures;  // texels are taken to be coloured without looking at each
+    needs.colour |= needs.textures || needs.patterns;  // taken to be coloured without looking at each value
     needs.sky = scene.sky.present();
     needs.colour |= needs.sky && !scene.sky.colour.isGrey();
     for (const auto& l : scene.luminaires) {
@@ -43,8 +70,8 @@ std::vector<LeftOut> leftOut(const SceneNeeds& needs) {
     const auto unless = [&](bool needed, const char* what, const char* why) {
         if (!needed) out.push_back({what, why});
     };
-    unless(needs.specularChains, "specular chains", "no mirror and no glass in the scene");
-    unless(needs.transmission, "transmission of shadow rays", "no pane lets light through");
+    unless(needs.specularChains, "specular chains", "no mirror, no glass and no refracting solid in the scene");
+    unless(needs.transmission, "transmission of shadow rays", "no pane and no hole lets light through");
     unless(needs.glossy, "glossy lobes", "every surface is matte");
     unless(needs.textures, "textures", "no material uses a picture");
     unless(needs.smoothNormals, "interpolated normals", "every mesh is flat shaded");
@@ -53,6 +80,10 @@ std::vector<LeftOut> leftOut(const SceneNeeds& needs) {
     unless(needs.luminaireSurfaces, "luminous openings as surfaces", "no luminaire has an opening with an extent");
     unless(needs.manyLights, "a hierarchy over the luminaires", "so few that each is weighed at every point");
     unless(needs.colour, "colour", "all materials and lamps are grey: luminance alone is enough");
+    unless(needs.scatteredTransmission, "light from the far side", "no surface scatters to its far side");
+    unless(needs.dielectrics, "refraction", "no solid refracts");
+    unless(needs.alpha, "holes by alpha", "no material has any");
+    unless(needs.patterns, "patterns and mixtures", "no material uses one");
     unless(needs.rebasing, "re-basing", "the scene lies near its origin");
     return out;
 }

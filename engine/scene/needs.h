@@ -22,6 +22,11 @@ struct SceneNeeds {
     bool colour = true;           ///< false: everything is grey, luminance alone is enough
     bool rebasing = true;         ///< the scene lies far from its origin
 
+    bool scatteredTransmission = true;  ///< surfaces that scatter to their far side
+    bool dielectrics = true;      ///< solids that refract, which a path must know that it is inside of
+    bool alpha = true;            ///< holes by the alpha of a texture
+    bool patterns = true;         ///< patterns and mixtures
+
     static SceneNeeds of(const Scene& scene);
     /// Every need on, whatever the scene: the same result, more slowly. For tests and benches.
     static SceneNeeds everything() { return {}; }

@@ -18,6 +18,13 @@ std::size_t Scene::triangleCount() const {
     return count;
 }
 
+bool Scene::letsStraightThrough(const Material& m) const {
+    if (m.hasHoles() || m.kind == MaterialKind::ThinGlass) return true;
+    if (m.kind == MaterialKind::Ward) return m.wardPerfect() && !m.specularTransmittance.isBlack();
+    if (m.kind != MaterialKind::Mix) return false;
+    return letsStraightThrough(materials[m.mixFirst]) || letsStraightThrough(materials[m.mixSecond]);
+}
+
 Box3 Scene::bounds() const {
     Box3 box;
     for (const auto& mesh : meshes)
@@ -38,12 +45,59 @@ Result<void> checkFraction(const std::string& where, const char* what, const Rgb
     return {};
 }
 
-Result<void> checkMaterial(const Material& m, std::size_t index, std::size_t textureCount) {
+/// Widths, the grain, and what a Ward surface gives back in all.
+Result<void> checkWard(const Material& m, const std::string& where) {
+    if (!isFinite(m.grain)) return invalid(where, "grain is not a finite direction");
+    if (m.kind != MaterialKind::Ward) return {};
+    if ((m.wardU == 0) != (m.wardV == 0))
+        return invalid(where, fmt::format("ward widths are {} and {}, expected both zero or none", m.wardU, m.wardV));
+    const Rgb sum = m.reflectance + m.specular + m.diffuseTransmittance + m.specularTransmittance;
+    if (sum.max() > 1 + 1e-5F)  // decimal fractions that sum to 1 may round above it
+        return invalid(where, fmt::format("reflectance, specular and both transmittances sum to ({}, {}, {}), expected at most 1",
+                                          sum.r, sum.g, sum.b));
+    return {};
+}
+
+Result<void> checkPattern(const std::string& where, const char* what, std::int32_t pattern, const Scene& scene) {
+    if (pattern >= static_cast<std::int32_t>(scene.patterns.size()))
+        return invalid(where, fmt::format("{} {}, expected one below {}", what, pattern, scene.patterns.size()));
+    return {};
+}
+
+Result<void> checkMix(const Material& m, const std::string& where, const Scene& scene) {
+    if (m.kind != MaterialKind::Mix) return {};
+    if (m.mixPattern < 0) return invalid(where, "a mixture without a pattern, expected one that says how much of each");
+    if (m.emits()) return invalid(where, "a mixture that emits, expected emission in what is mixed");
+    for (const auto part : {m.mixFirst, m.mixSecond}) {
+        if (part >= scene.materials.size())
+            return invalid(where, fmt::format("mixes material {}, expected one below {}", part, scene.materials.size()));
+        const auto kind = scene.materials[part].kind;
+        if (kind == MaterialKind::Mix || kind == MaterialKind::Dielectric)
+            return invalid(where, fmt::format("mixes material {}, which is a {}, expected a surface of its own", part,
+                                              kind == MaterialKind::Mix ? "mixture" : "solid"));
+    }
+    return {};
+}
+
+Result<void> checkMaterial(const Material& m, std::size_t index, const Scene& scene) {
     const auto where = fmt::format("material {} \"{}\"", index, m.name);
-    for (const auto& [what, colour] : {std::pair{"reflectance", m.reflectance}, std::pair{"specular", m.specular},
-                                       std::pair{"transmittance", m.transmittance}})
+    const auto textureCount = scene.textures.size();
+    for (const auto& [what, colour] :
+         {std::pair{"reflectance", m.reflectance}, std::pair{"specular", m.specular}, std::pair{"transmittance", m.transmittance},
+          std::pair{"diffuse transmittance", m.diffuseTransmittance}, std::pair{"specular transmittance", m.specularTransmittance}})
         if (auto ok = checkFraction(where, what, colour); !ok) return ok;
-    for (const auto& [what, value] : {std::pair{"roughness", m.roughness}, std::pair{"metallic", m.metallic}})
+    for (const auto& [what, pattern] : {std::pair{"reflectance pattern", m.reflectancePattern},
+                                        std::pair{"emission pattern", m.emissionPattern}, std::pair{"mix pattern", m.mixPattern}})
+        if (auto ok = checkPattern(where, what, pattern, scene); !ok) return ok;
+    if (auto ok = checkWard(m, where); !ok) return ok;
+    if (auto ok = checkMix(m, where, scene); !ok) return ok;
+    if (!(m.alphaCutoff >= 0.0F && std::isfinite(m.alphaCutoff)))
+        return invalid(where, fmt::format("alpha cutoff is {}, expected a finite value >= 0", m.alphaCutoff));
+    if (m.hasHoles() && m.kind == MaterialKind::Dielectric)
+        return invalid(where, "the surface of a solid has holes, expected a closed one");
+    for (const auto& [what, value] : {std::pair{"roughness", m.roughness}, std::pair{"metallic", m.metallic},
+                                      std::pair{"alpha", m.alpha}, std::pair{"ward width along the grain", m.wardU},
+                                      std::pair{"ward width across the grain", m.wardV}})
         if (!(value >= 0.0F && value <= 1.0F))
             return invalid(where, fmt::format("{} is {}, expected 0..1", what, value));
     if (!(m.ior >= 1.0F && m.ior <= 4.0F)) return invalid(where, fmt::format("ior is {}, expected 1..4", m.ior));
@@ -120,7 +174,7 @@ void addMaterial(HashInput& in, const Material& m) {
     in.add(m.kind), in.add(m.reflectance), in.add(m.specular), in.add(m.roughness), in.add(m.metallic);
     in.add(m.transmittance), in.add(m.ior), in.add(m.emission), in.add(m.oneSidedEmission);
     in.add(m.wardU), in.add(m.wardV), in.add(m.grain), in.add(m.diffuseTransmittance), in.add(m.specularTransmittance);
-    in.add(m.alphaCutoff), in.add(m.reflectancePattern), in.add(m.emissionPattern);
+    in.add(m.alpha), in.add(m.alphaCutoff), in.add(m.alphaBlend), in.add(m.reflectancePattern), in.add(m.emissionPattern);
     in.add(m.mixPattern), in.add(m.mixFirst), in.add(m.mixSecond);
     for (const auto* slot : {&m.reflectanceTexture, &m.metallicRoughnessTexture, &m.emissionTexture}) addSlot(in, *slot);
 }
@@ -129,7 +183,7 @@ void addMaterial(HashInput& in, const Material& m) {
 
 Result<void> validate(Scene& scene) {
     for (std::size_t i = 0; i < scene.materials.size(); ++i)
-        if (auto ok = checkMaterial(scene.materials[i], i, scene.textures.size()); !ok) return ok;
+        if (auto ok = checkMaterial(scene.materials[i], i, scene); !ok) return ok;
     for (std::size_t i = 0; i < scene.luminaires.size(); ++i)
         if (auto ok = checkLuminaire(scene.luminaires[i], i, scene); !ok) return ok;
     std::size_t dropped = 0;

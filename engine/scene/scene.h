@@ -35,6 +35,9 @@ struct Scene {
     std::vector<std::string> warnings; ///< from reading: what was repaired or looks wrong
 
     [[nodiscard]] std::size_t triangleCount() const;
+    /// Part of the light that meets the material goes on in its direction: panes, holes, mixtures with them.
+    /// Shadow rays ask such surfaces how much; all others hide what lies behind them.
+    [[nodiscard]] bool letsStraightThrough(const Material& material) const;
     /// Bounds of all meshes and luminaires, re-based [m]; empty for an empty scene.
     [[nodiscard]] Box3 bounds() const;
     [[nodiscard]] Vec3 toRebased(const Vec3d& user) const { return Vec3(user - origin); }

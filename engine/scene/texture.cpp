@@ -69,6 +69,19 @@ Rgb Texture::sample(Vec2 uv) const {
     return upper * (1 - v.weight) + lower * v.weight;
 }
 
+float Texture::alpha(Vec2 uv) const {
+    if (width <= 0 || height <= 0) return 1.0F;
+    const auto texel = [&](int x, int y) {
+        return static_cast<float>(
+            rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) + 3]);
+    };
+    const Tap u = tap(uv.x, width, wrapU);
+    const Tap v = tap(uv.y, height, wrapV);
+    const float upper = texel(u.first, v.first) * (1 - u.weight) + texel(u.second, v.first) * u.weight;
+    const float lower = texel(u.first, v.second) * (1 - u.weight) + texel(u.second, v.second) * u.weight;
+    return (upper * (1 - v.weight) + lower * v.weight) / 255.0F;
+}
+
 Vec2 TextureSlot::apply(Vec2 uv) const {
     // v runs down, so a turn that looks counter-clockwise has the opposite sign of the usual matrix. The
     // extension's own example (offset 0,1; quarter turn; scale 0.5 = the lower left quadrant) holds this way only.

@@ -23,6 +23,8 @@ struct Texture {
 
     /// Linear colour at (u, v), v down from the top row (glTF's convention).
     [[nodiscard]] Rgb sample(Vec2 uv) const;
+    /// The alpha channel there, 0..1, looked up the same way.
+    [[nodiscard]] float alpha(Vec2 uv) const;
 };
 
 /// A use of a texture: which one (-1: none), and the transform of its coordinates

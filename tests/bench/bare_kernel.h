@@ -24,7 +24,7 @@ public:
     BareKernel(const Scene& scene, Holds holds) : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
         rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
         for (const auto& mesh : scene.meshes) {
-            const bool pane = scene.materials[mesh.material].kind == MaterialKind::ThinGlass;
+            const bool pane = scene.letsStraightThrough(scene.materials[mesh.material]);
             if (!mesh.triangles.empty() && !(pane && holds == Holds::OpaqueSurfaces)) attach(mesh);
         }
         rtcCommitScene(scene_);

@@ -14,12 +14,15 @@
 namespace luxdeck::test {
 namespace {
 
-SceneNeeds nothing() { return {false, false, false, false, false, false, false, false, false, false, false}; }
+SceneNeeds nothing() {
+    return {false, false, false, false, false, false, false, false, false, false, false, false, false, false, false};
+}
 
 bool operator==(const SceneNeeds& a, const SceneNeeds& b) {
     const auto bits = [](const SceneNeeds& n) {
         return std::array{n.specularChains, n.transmission, n.glossy, n.textures, n.smoothNormals, n.sky,
-                          n.meshLights, n.luminaireSurfaces, n.manyLights, n.colour, n.rebasing};
+                          n.meshLights, n.luminaireSurfaces, n.manyLights, n.colour, n.rebasing,
+                          n.scatteredTransmission, n.dielectrics, n.alpha, n.patterns};
     };
     return bits(a) == bits(b);
 }
@@ -33,7 +36,7 @@ SceneNeeds needsAfter(const std::function<void(Scene&)>& change) {
 
 TEST(SceneNeeds, APlainGreyRoomNeedsNothing) {
     EXPECT_TRUE(needsAfter([](Scene&) {}) == nothing());
-    EXPECT_EQ(leftOut(nothing()).size(), 11U);
+    EXPECT_EQ(leftOut(nothing()).size(), 15U);
     EXPECT_TRUE(leftOut(SceneNeeds::everything()).empty());
     for (const auto& line : leftOut(nothing())) EXPECT_FALSE(line.what.empty() || line.why.empty());
     EXPECT_TRUE(SceneNeeds::of(Scene{}) == nothing());

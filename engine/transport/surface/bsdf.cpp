@@ -40,6 +40,9 @@ Bsdf<S>::Bsdf(const Scene& scene, const SceneNeeds& needs, const SurfacePoint& p
             setRough(fromRgb<S>(reflectance * (1 - mr.b)), fromRgb<S>(mix(Rgb(0.04F), reflectance, mr.b)), mr.g);
             break;
         }
+        case MaterialKind::Ward:
+        case MaterialKind::Dielectric:
+        case MaterialKind::Mix: diffuse_ = fromRgb<S>(reflectance); break;
     }
 }
 
