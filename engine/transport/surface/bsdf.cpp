@@ -1,6 +1,8 @@
 #include "engine/transport/surface/bsdf.h"
 
 #include "engine/sampling/warp.h"
+#include "engine/scene/appearance.h"
+#include "engine/transport/surface/dielectric.h"
 #include "engine/transport/surface/glass.h"
 
 #include <algorithm>
@@ -23,26 +25,36 @@ Grey atLeast(const Grey& c, float low) { return Grey(std::max(c.y, low)); }
 
 Rgb mix(const Rgb& a, const Rgb& b, float t) { return a * (1 - t) + b * t; }
 
+Rgb atMost1(const Rgb& c) { return {std::min(c.r, 1.0F), std::min(c.g, 1.0F), std::min(c.b, 1.0F)}; }
+
 }  // namespace
 
 template <Spectrum S>
-Bsdf<S>::Bsdf(const Scene& scene, const SceneNeeds& needs, const SurfacePoint& point) {
+Bsdf<S>::Bsdf(const Scene& scene, const SceneNeeds& needs, const SurfacePoint& point, float surroundingIor) {
     const Material& m = *point.material;
-    const Rgb reflectance = textured(scene, needs, m.reflectance, m.reflectanceTexture, point.uv);
+    Rgb reflectance = textured(scene, needs, m.reflectance, m.reflectanceTexture, point.uv), specular = m.specular;
+    if (needs.patterns && m.reflectancePattern >= 0) {
+        const Rgb factor = scene.patterns[static_cast<std::size_t>(m.reflectancePattern)]->value(point.patternPoint(scene));
+        valid_ = isFinite(factor);
+        reflectance = atMost1(reflectance * factor), specular = atMost1(specular * factor);
+    }
     switch (needs.glossy ? m.kind : MaterialKind::Matte) {
         case MaterialKind::Matte: diffuse_ = fromRgb<S>(reflectance); break;
-        case MaterialKind::Plastic: setRough(fromRgb<S>(reflectance), fromRgb<S>(m.specular), m.roughness); break;
-        case MaterialKind::Metal: setRough(S(0.0F), fromRgb<S>(m.specular), m.roughness); break;
-        case MaterialKind::Mirror: kind_ = Kind::Mirror, f0_ = fromRgb<S>(m.specular); break;
+        case MaterialKind::Plastic: setRough(fromRgb<S>(reflectance), fromRgb<S>(specular), m.roughness); break;
+        case MaterialKind::Metal: setRough(S(0.0F), fromRgb<S>(specular), m.roughness); break;
+        case MaterialKind::Mirror: kind_ = Kind::Mirror, f0_ = fromRgb<S>(specular); break;
         case MaterialKind::ThinGlass: kind_ = Kind::Pane, pane_ = &m; break;
         case MaterialKind::MetallicRoughness: {
             const Rgb mr = textured(scene, needs, {1, m.roughness, m.metallic}, m.metallicRoughnessTexture, point.uv);
             setRough(fromRgb<S>(reflectance * (1 - mr.b)), fromRgb<S>(mix(Rgb(0.04F), reflectance, mr.b)), mr.g);
             break;
         }
-        case MaterialKind::Ward:
+        case MaterialKind::Ward: kind_ = Kind::Ward, ward_ = WardSurface<S>(m, reflectance, specular); break;
         case MaterialKind::Dielectric:
-        case MaterialKind::Mix: diffuse_ = fromRgb<S>(reflectance); break;
+            kind_ = Kind::Boundary;
+            iorRatio_ = point.frontFace ? m.ior / surroundingIor : surroundingIor / m.ior;
+            break;
+        case MaterialKind::Mix: break;  // not met itself: one of its parts is; black here
     }
 }
 
@@ -63,6 +75,7 @@ void Bsdf<S>::setRough(S diffuse, S f0, float roughness) {
 
 template <Spectrum S>
 typename Bsdf<S>::Value Bsdf<S>::evaluate(const Vec3& wo, const Vec3& wi) const {
+    if (kind_ == Kind::Ward) return ward_.evaluate(wo, wi);
     if (kind_ != Kind::Rough || wi.z <= 0 || wo.z <= 0) return {S(0.0F), 0};
     const float cosinePdf = wi.z / kPi;
     if (!coated_) return {diffuse_ * cosinePdf, cosinePdf};
@@ -79,8 +92,13 @@ typename Bsdf<S>::Value Bsdf<S>::evaluate(const Vec3& wo, const Vec3& wi) const 
 
 template <Spectrum S>
 typename Bsdf<S>::Sample Bsdf<S>::sample(const Vec3& wo, float uLobe, Vec2 u) const {
-    if (kind_ == Kind::Mirror) return sampleMirror(wo);
-    if (kind_ == Kind::Pane) return samplePane(wo, uLobe);
+    switch (kind_) {
+        case Kind::Rough: break;
+        case Kind::Ward: return ward_.sample(wo, uLobe, u);
+        case Kind::Mirror: return sampleMirror(wo);
+        case Kind::Pane: return samplePane(wo, uLobe);
+        case Kind::Boundary: return sampleBoundary(wo, uLobe);
+    }
     Sample out;
     if (!coated_) {
         out.wi = cosineHemisphere(u);
@@ -127,8 +145,27 @@ typename Bsdf<S>::Sample Bsdf<S>::samplePane(const Vec3& wo, float uLobe) const 
     return out;
 }
 
+/// Each way by its chance, so that weights are 1, but for what crossing does to radiance: it is spread over, or
+/// gathered from, a solid angle larger by the squared ratio. Over a way into a solid and out again it cancels.
+template <Spectrum S>
+typename Bsdf<S>::Sample Bsdf<S>::sampleBoundary(const Vec3& wo, float uLobe) const {
+    const Boundary light = boundaryLight(wo, iorRatio_);
+    if (uLobe < light.reflected) {
+        auto out = sampleMirror(wo);
+        out.weight = S(1.0F);
+        return out;
+    }
+    Sample out;
+    out.wi = light.refracted;
+    out.weight = S(1 / (iorRatio_ * iorRatio_));
+    out.refracted = true;
+    return out;
+}
+
 template <Spectrum S>
 S Bsdf<S>::albedo(float cosine) const {
+    if (kind_ == Kind::Ward) return ward_.albedo();
+    if (kind_ == Kind::Boundary) return S(1.0F);
     if (kind_ == Kind::Mirror) return f0_;
     if (kind_ == Kind::Pane) return fromRgb<S>(paneLight(pane_->transmittance, pane_->ior, cosine).reflected);
     if (!coated_) return diffuse_;
@@ -136,10 +173,11 @@ S Bsdf<S>::albedo(float cosine) const {
     return lobe + diffuse_ * (S(1.0F) - lobe);
 }
 
-Rgb emittedRadiance(const Scene& scene, const SceneNeeds& needs, const SurfacePoint& point) {
+Rgb emittedRadiance(const Scene& scene, const SurfacePoint& point) {
     const Material& m = *point.material;
     if (!m.emits() || (m.oneSidedEmission && !point.frontFace)) return Rgb{};
-    return textured(scene, needs, m.emission, m.emissionTexture, point.uv);
+    if (!m.emissionTexture.used() && m.emissionPattern < 0) return m.emission;
+    return emittedRadiance(scene, m, point.patternPoint(scene));
 }
 
 template class Bsdf<Rgb>;

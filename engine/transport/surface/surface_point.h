@@ -19,12 +19,17 @@ struct SurfacePoint {
     bool frontFace = true;    // the mesh's own normal faces the ray
     float ulp = 0;            // spacing of floats at the position [m]
     const Material* material = nullptr;
+    Vec3 rayDirection{0, 0, -1};  // of the ray that met it, unit
+    float rayDistance = 0;        // along that ray [m]
 
     /// Where a ray that leaves to the side of `direction` starts: off the surface by some ulps, so that it
     /// cannot meet it again.
     [[nodiscard]] Vec3 departure(const Vec3& direction) const {
         const float offset = dot(direction, geometricNormal) >= 0 ? 16 * ulp : -16 * ulp;
         return position + geometricNormal * offset;
+    }
+    [[nodiscard]] PatternPoint patternPoint(const Scene& scene) const {
+        return {scene.toUser(position), geometricNormal, rayDirection, double{rayDistance}, uv};
     }
 };
 
@@ -35,5 +40,8 @@ inline float spacingAt(const Vec3& p) {
 }
 
 SurfacePoint surfacePoint(const Scene& scene, const SceneNeeds& needs, const Ray& ray, const Hit& hit);
+
+/// The frame in which the surface scatters: about its shading normal, x along the grain where it has one.
+Frame surfaceFrame(const Scene& scene, const SurfacePoint& point, const Hit& hit);
 
 }  // namespace luxdeck

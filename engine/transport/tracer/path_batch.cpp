@@ -1,6 +1,8 @@
 #include "engine/transport/tracer/path_batch.h"
 
+#include "engine/scene/appearance.h"
 #include "engine/transport/surface/bsdf.h"
+#include "engine/transport/surface/straight.h"
 #include "engine/transport/surface/surface_point.h"
 #include "engine/transport/tracer/shadow.h"
 
@@ -36,9 +38,19 @@ PathBatch<S>::PathBatch(const TransportScene& scene, const TracerSettings& setti
         path.from = queries[i].origin;
         path.pdfSolidAngle = queries[i].pdfSolidAngle;
     }
+    findMedia();
     rays_.reserve(queries.size()), hits_.reserve(queries.size()), shadows_.reserve(queries.size());
     shadowRays_.reserve(queries.size()), shadowed_.reserve(queries.size());
     counters_.paths = queries.size();
+}
+
+template <Spectrum S>
+void PathBatch<S>::findMedia() {
+    if (!scene_.needs.dielectrics) return;
+    MediaFinder finder(scene_);
+    media_.reserve(queries_.size());
+    for (const auto& query : queries_)
+        media_.push_back(isGood(query.ray) ? finder.at(query.ray.origin, counters_) : Media{});
 }
 
 template <Spectrum S>
@@ -91,29 +103,73 @@ void PathBatch<S>::shade(std::size_t i) {
         seeSky(path);
         return;
     }
-    const auto point = surfacePoint(scene_.scene, scene_.needs, path.ray, hit);
-    if (path.vertices == 0) recordFirst(path, hit, point);
-    seeSurface(path, hit, point);
+    auto point = surfacePoint(scene_.scene, scene_.needs, path.ray, hit);
+    path.throughput = throughputAfter(path, hit.distance);
+    if (meets(path, hit, point)) shadeMet(path, hit, point);
     ++path.vertices;
-    if (path.reflections >= settings_.maxReflections) {
+    if (!path.ended) roulette(path);
+}
+
+/// Settles what a mixture is for this path, and whether it goes through a hole.
+template <Spectrum S>
+bool PathBatch<S>::meets(Path& path, const Hit& hit, SurfacePoint& point) {
+    if (scene_.needs.patterns && point.material->kind == MaterialKind::Mix) {
+        point.material = meetMaterial(scene_.scene, point, path.numbers.next1D());
+        if (point.material == nullptr) return fail(path);
+    }
+    if (!scene_.needs.alpha || !point.material->hasHoles()) return true;
+    if (path.numbers.next1D() < coverage(scene_.scene, *point.material, point.uv)) return true;
+    recordVirtual(path, hit.distance, true);
+    goStraightOn(path, point);
+    return false;
+}
+
+template <Spectrum S>
+void PathBatch<S>::shadeMet(Path& path, const Hit& hit, const SurfacePoint& point) {
+    if (samples_[path.query].object == kNothing) recordFirst(path, hit, point);
+    seeSurface(path, hit, point);
+    const bool last = path.reflections >= settings_.maxReflections;
+    if (last && !scene_.needs.transmission && !scene_.needs.dielectrics) {
         path.ended = true;
         return;
     }
-    const Bsdf<S> bsdf(scene_.scene, scene_.needs, point);
-    recordVirtual(path, hit.distance, bsdf.specular());
-    if (bsdf.specular()) {
-        scatterSpecular(path, point, bsdf);
-    } else {
-        const auto frame = Frame::about(point.shadingNormal);
-        const Vec3 wo = frame.toLocal(-path.ray.direction);
-        path.from = {point.departure(point.geometricNormal), point.shadingNormal,
-                     point.material->kind != MaterialKind::Matte};
-        if (!settings_.ambientRadiance.isBlack())
-            add(path.query, 2, kFromAmbient, path.throughput * bsdf.albedo(wo.z) * fromRgb<S>(settings_.ambientRadiance));
-        connectLight(path, point, frame, wo, bsdf);
-        scatter(path, point, frame, wo, bsdf);
+    const auto& needs = scene_.needs;
+    const Bsdf<S> bsdf(scene_.scene, needs, point, needs.dielectrics ? surroundingIor(path, point) : 1.0F);
+    if (!bsdf.valid()) {
+        fail(path);
+        return;
     }
-    if (!path.ended) roulette(path);
+    recordVirtual(path, hit.distance, bsdf.keepsImages());
+    if (last && !bsdf.letsThrough()) path.ended = true;
+    else if (!bsdf.specular()) scatterRough(path, hit, point, bsdf, last);
+    else if (point.material->kind == MaterialKind::Dielectric) scatterBoundary(path, point, bsdf);
+    else scatterSpecular(path, point, bsdf);
+    if (path.reflections > settings_.maxReflections) path.ended = true;
+}
+
+/// A pattern has no value here: the sample is counted as rejected.
+template <Spectrum S>
+bool PathBatch<S>::fail(Path& path) {
+    samples_[path.query].failure = RayFailure::NotFinite;
+    path.ended = true;
+    return false;
+}
+
+template <Spectrum S>
+void PathBatch<S>::goStraightOn(Path& path, const SurfacePoint& point) {
+    path.ray = {point.departure(path.ray.direction), 0, path.ray.direction, kInfinity};
+}
+
+template <Spectrum S>
+S PathBatch<S>::throughputAfter(const Path& path, float distance) const {
+    if (!scene_.needs.dielectrics || media_[path.query].inAir()) return path.throughput;
+    return path.throughput * fromRgb<S>(media_[path.query].transmittance(distance));
+}
+
+template <Spectrum S>
+float PathBatch<S>::surroundingIor(const Path& path, const SurfacePoint& point) const {
+    const auto& media = media_[path.query];
+    return point.frontFace ? media.ior() : media.iorAround(*point.material);
 }
 
 template <Spectrum S>
@@ -138,7 +194,7 @@ template <Spectrum S>
 void PathBatch<S>::seeSky(Path& path) {
     path.ended = true;
     if (scene_.needs.sky)  // no other strategy samples it: full weight
-        add(path.query, path.reflections, kFromSky, path.throughput * fromRgb<S>(scene_.scene.sky.radiance(path.ray.direction)));
+        add(path.query, path.reflections, kFromSky, throughputAfter(path, kInfinity) * fromRgb<S>(scene_.scene.sky.radiance(path.ray.direction)));
 }
 
 template <Spectrum S>
@@ -153,13 +209,13 @@ void PathBatch<S>::seeOpening(const Path& path, const Hit& hit) {
                           ? scene_.lights.pdfOpening(path.from, hit.luminaire, path.ray.direction)
                           : 0;
     const S radiance = fromRgb<S>(scene_.lights.openingRadiance(hit.luminaire, -path.ray.direction));
-    add(path.query, path.reflections, hit.luminaire, path.throughput * radiance * weightOfDirection(path, pdf));
+    add(path.query, path.reflections, hit.luminaire, throughputAfter(path, hit.distance) * radiance * weightOfDirection(path, pdf));
 }
 
 template <Spectrum S>
 void PathBatch<S>::seeSurface(const Path& path, const Hit& hit, const SurfacePoint& point) {
     if (!scene_.needs.meshLights) return;
-    const Rgb emitted = emittedRadiance(scene_.scene, scene_.needs, point);
+    const Rgb emitted = emittedRadiance(scene_.scene, point);
     if (emitted.isBlack()) return;
     const float cosine = -dot(point.geometricNormal, path.ray.direction);
     const float distance = (point.position - path.from.position).length();
@@ -184,30 +240,77 @@ void PathBatch<S>::scatterSpecular(Path& path, const SurfacePoint& point, const 
     path.pdfSolidAngle = 0;
 }
 
+/// Into a solid or out of it, or back. Radiance was found by no other strategy: shadow rays do not bend.
 template <Spectrum S>
 template <class B>
-void PathBatch<S>::connectLight(Path& path, const SurfacePoint& point, const Frame& frame, const Vec3& wo,
-                                const B& bsdf) {
-    const float uSelect = path.numbers.next1D();
-    const auto light = scene_.lights.sample(path.from, uSelect, path.numbers.next2D());
-    if (!light.lit() || dot(light.direction, point.geometricNormal) <= 0) return;
-    const auto value = bsdf.evaluate(wo, frame.toLocal(light.direction));
-    S contribution = path.throughput * value.cosineWeighted * fromRgb<S>(light.weight);
-    if (light.shared) contribution *= light.pdfSolidAngle / (light.pdfSolidAngle + value.pdf);
-    if (contribution.isBlack()) return;
-    shadows_.push_back({contribution, path.query, path.reflections + 1, light.source});
-    shadowRays_.push_back({path.from.position, 0, light.direction, light.distance * (1 - kShadowShortening)});
+void PathBatch<S>::scatterBoundary(Path& path, const SurfacePoint& point, const B& bsdf) {
+    const float u = path.numbers.next1D();
+    ScatterSample<S> next;
+    Vec3 direction;
+    // An interpolated normal may bend a direction to the wrong side of the triangle; its own cannot.
+    for (const auto& normal : {point.shadingNormal, point.geometricNormal}) {
+        const auto frame = Frame::about(normal);
+        next = bsdf.sample(frame.toLocal(-path.ray.direction), u, {0.5F, 0.5F});
+        direction = frame.toWorld(next.wi);
+        if ((dot(direction, point.geometricNormal) < 0) == next.refracted) break;
+    }
+    path.throughput *= next.weight;
+    path.ray = {point.departure(direction), 0, direction, kInfinity};
+    path.pdfSolidAngle = 0;
+    auto& media = media_[path.query];
+    if (!next.refracted) ++path.reflections;
+    else if (!point.frontFace) media.leave(*point.material);
+    else if (!media.enter(*point.material)) truncate(path);
 }
 
 template <Spectrum S>
 template <class B>
-void PathBatch<S>::scatter(Path& path, const SurfacePoint& point, const Frame& frame, const Vec3& wo, const B& bsdf) {
+void PathBatch<S>::scatterRough(Path& path, const Hit& hit, const SurfacePoint& point, const B& bsdf, bool last) {
+    const auto frame = scene_.needs.glossy ? surfaceFrame(scene_.scene, point, hit) : Frame::about(point.shadingNormal);
+    const Vec3 wo = frame.toLocal(-path.ray.direction);
+    // Light from behind must not be weighed away where it is scattered through.
+    const Receiver here{point.departure(point.geometricNormal), bsdf.transmits() ? Vec3(0, 0, 0) : point.shadingNormal,
+                        point.material->kind != MaterialKind::Matte};
+    if (!last && !settings_.ambientRadiance.isBlack())
+        add(path.query, 2, kFromAmbient, path.throughput * bsdf.albedo(wo.z) * fromRgb<S>(settings_.ambientRadiance));
+    if (!last) connectLight(path, here, point, frame, wo, bsdf);
+    scatter(path, here, point, frame, wo, bsdf);
+}
+
+template <Spectrum S>
+template <class B>
+void PathBatch<S>::connectLight(Path& path, const Receiver& here, const SurfacePoint& point, const Frame& frame,
+                                const Vec3& wo, const B& bsdf) {
+    const float uSelect = path.numbers.next1D();
+    const auto light = scene_.lights.sample(here, uSelect, path.numbers.next2D());
+    if (!light.lit()) return;
+    const float height = dot(light.direction, point.geometricNormal);
+    if (height <= 0 && !bsdf.transmits()) return;
+    const Vec3 wi = frame.toLocal(light.direction);
+    if (height * wi.z <= 0) return;  // an interpolated normal and the triangle's own disagree on the side
+    const auto value = bsdf.evaluate(wo, wi);
+    S contribution = throughputAfter(path, light.distance) * value.cosineWeighted * fromRgb<S>(light.weight);
+    if (light.shared) contribution *= light.pdfSolidAngle / (light.pdfSolidAngle + value.pdf);
+    if (contribution.isBlack()) return;
+    shadows_.push_back({contribution, path.query, path.reflections + 1, light.source});
+    const Vec3 origin = height > 0 ? here.position : point.departure(light.direction);
+    shadowRays_.push_back({origin, 0, light.direction, light.distance * (1 - kShadowShortening)});
+}
+
+template <Spectrum S>
+template <class B>
+void PathBatch<S>::scatter(Path& path, const Receiver& here, const SurfacePoint& point, const Frame& frame,
+                           const Vec3& wo, const B& bsdf) {
     const float uLobe = scene_.needs.glossy ? path.numbers.next1D() : 0;
     const auto next = bsdf.sample(wo, uLobe, path.numbers.next2D());
     const Vec3 direction = frame.toWorld(next.wi);
     path.throughput *= next.weight;
-    path.ended = next.absorbed || path.throughput.isBlack() || dot(direction, point.geometricNormal) <= 0;
-    path.ray = {path.from.position, 0, direction, kInfinity};
+    path.ended = next.absorbed || path.throughput.isBlack();
+    if (next.passedThrough) return goStraightOn(path, point);  // as through a pane
+    const float height = dot(direction, point.geometricNormal);
+    path.ended |= height * next.wi.z <= 0;
+    path.from = here;
+    path.ray = {height > 0 ? here.position : point.departure(direction), 0, direction, kInfinity};
     path.pdfSolidAngle = next.pdf;
     ++path.reflections;
     const auto& needs = scene_.needs;
@@ -220,16 +323,23 @@ void PathBatch<S>::scatter(Path& path, const SurfacePoint& point, const Frame& f
 template <Spectrum S>
 void PathBatch<S>::roulette(Path& path) {
     if (path.vertices >= settings_.maxVertices) {
-        path.ended = true;
-        ++counters_.truncated;
-        counters_.truncatedWeight += path.throughput.max();
+        truncate(path);
         return;
     }
-    float survival = std::min(1.0F, path.throughput.max());
+    // In a solid radiance is larger by its squared index of refraction, which is no reason to live longer or less.
+    const float ior = scene_.needs.dielectrics ? media_[path.query].ior() : 1.0F;
+    float survival = std::min(1.0F, path.throughput.max() * ior * ior);
     if (path.vertices > kLongPath) survival = std::min(survival, kLongPathSurvival);
     if (survival >= 1) return;
     if (path.numbers.next1D() >= survival) path.ended = true;
     else path.throughput *= 1 / survival;
+}
+
+template <Spectrum S>
+void PathBatch<S>::truncate(Path& path) {
+    path.ended = true;
+    ++counters_.truncated;
+    counters_.truncatedWeight += path.throughput.max();
 }
 
 template <Spectrum S>

@@ -2,6 +2,7 @@
 
 #include "engine/transport/radiance_estimator.h"
 #include "engine/transport/spectrum.h"
+#include "engine/transport/tracer/media.h"
 
 #include <cstdint>
 #include <span>
@@ -40,7 +41,7 @@ private:
         SamplePath numbers;
         S throughput{1.0F};
         std::uint32_t query = 0;
-        int reflections = 0;       // so far, mirrors included, passages through panes not
+        int reflections = 0;       // so far, mirrors included, passages through panes and into solids not
         int vertices = 0;
         Receiver from;             // where the direction was sampled
         float pdfSolidAngle = 0;   // of the direction; 0: no other strategy, light counts in full
@@ -57,13 +58,22 @@ private:
 
     void trace();
     void passOpenings(std::size_t i);
+    void findMedia();
     void shade(std::size_t i);
+    [[nodiscard]] bool meets(Path& path, const Hit& hit, SurfacePoint& point);
+    void shadeMet(Path& path, const Hit& hit, const SurfacePoint& point);
+    bool fail(Path& path);
+    static void goStraightOn(Path& path, const SurfacePoint& point);
+    /// The path's throughput when it has gone this far through what it is in.
+    [[nodiscard]] S throughputAfter(const Path& path, float distance) const;
+    [[nodiscard]] float surroundingIor(const Path& path, const SurfacePoint& point) const;
     void seeSky(Path& path);
     void seeOpening(const Path& path, const Hit& hit);
     void seeSurface(const Path& path, const Hit& hit, const SurfacePoint& point);
     void recordFirst(const Path& path, const Hit& hit, const SurfacePoint& point);
     void recordVirtual(Path& path, float distance, bool specular);
     void roulette(Path& path);
+    void truncate(Path& path);
     void traceShadows();
     void removeEnded();
     /// Adds to the part that light with this many reflections belongs to.
@@ -78,15 +88,22 @@ private:
     template <class B>
     void scatterSpecular(Path& path, const SurfacePoint& point, const B& bsdf);
     template <class B>
-    void connectLight(Path& path, const SurfacePoint& point, const Frame& frame, const Vec3& wo, const B& bsdf);
+    void scatterBoundary(Path& path, const SurfacePoint& point, const B& bsdf);
     template <class B>
-    void scatter(Path& path, const SurfacePoint& point, const Frame& frame, const Vec3& wo, const B& bsdf);
+    void scatterRough(Path& path, const Hit& hit, const SurfacePoint& point, const B& bsdf, bool last);
+    template <class B>
+    void connectLight(Path& path, const Receiver& here, const SurfacePoint& point, const Frame& frame, const Vec3& wo,
+                      const B& bsdf);
+    template <class B>
+    void scatter(Path& path, const Receiver& here, const SurfacePoint& point, const Frame& frame, const Vec3& wo,
+                 const B& bsdf);
 
     const TransportScene& scene_;
     TracerSettings settings_;
     std::span<const RadianceQuery> queries_;
     std::span<RadianceSample> samples_;
     std::vector<Path> paths_;
+    std::vector<Media> media_;  // by query; empty where no solid refracts
     std::vector<Ray> rays_;
     std::vector<Hit> hits_;
     std::vector<Shadow> shadows_;

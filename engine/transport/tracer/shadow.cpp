@@ -1,7 +1,6 @@
 #include "engine/transport/tracer/shadow.h"
 
-#include "engine/transport/surface/glass.h"
-#include "engine/transport/surface/surface_point.h"
+#include "engine/transport/surface/straight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +22,7 @@ Rgb paneTransmittance(const TransportScene& scene, Ray ray, TransportCounters& c
         const float spacing = 8 * (point.ulp + hit.distance * 0x1.0p-23F);
         const bool samePane = hit.mesh == lastMesh && hit.distance - lastDistance <= std::max(spacing, step);
         step = samePane ? 2 * step : spacing;
-        if (!samePane) {
-            const float cosine = std::abs(dot(point.geometricNormal, ray.direction));
-            transmittance *= paneLight(point.material->transmittance, point.material->ior, cosine).transmitted;
-        }
+        if (!samePane) transmittance *= straightTransmittance(scene.scene, point);
         lastMesh = hit.mesh, lastDistance = hit.distance;
         ray.tMin = std::max(ray.tMin, hit.distance) + step;
         if (!(ray.tMin < ray.tMax)) break;

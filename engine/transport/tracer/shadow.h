@@ -8,7 +8,7 @@ namespace luxdeck {
 /// hidden by it.
 inline constexpr float kShadowShortening = 1e-4F;
 
-/// What the panes between the ends of a ray let through [-]. A pane's two triangles meet on its diagonal,
+/// What the panes, holes and mixtures between the ends of a ray let through [-]; NaN where a pattern has no value. A pane's two triangles meet on its diagonal,
 /// where the kernel reports both: one pane counts once.
 Rgb paneTransmittance(const TransportScene& scene, Ray ray, TransportCounters& counters);
 
