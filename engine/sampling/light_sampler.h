@@ -37,6 +37,13 @@ struct Receiver {
     bool glossy = false;       // scatters into narrow lobes, which find lights better than choosing them
 };
 
+/// A rectangle that light must pass on its way.
+struct MirrorFrame {
+    Vec3 centre{0, 0, 0};
+    Vec3 u{1, 0, 0}, v{0, 1, 0};  // unit, in its plane
+    float halfU = 0, halfV = 0;   // [m]
+};
+
 /// Chooses points on luminaires and emitting surfaces. With few luminaires each is weighed at the receiver
 /// by its intensity towards it, 1/d^2 and the cosine; with many they are drawn by flux. The sky is left to
 /// the receivers' own directions.
@@ -53,6 +60,10 @@ public:
     /// where there are too many lights to weigh.
     using Weights = std::array<float, kManyLights + 1>;
     [[nodiscard]] Weights weigh(const Receiver& at) const;
+
+    /// The same where light comes through a window, as by way of a mirror behind which the receiver stands: lights
+    /// that do not show in it keep a small part of their weight.
+    [[nodiscard]] Weights weighThrough(const Receiver& at, const MirrorFrame& window) const;
 
     /// uSelect chooses the light, u the point on it.
     [[nodiscard]] LightSample sample(const Receiver& at, float uSelect, Vec2 u) const { return sample(at, weigh(at), uSelect, u); }

@@ -64,7 +64,7 @@ struct Lit {
     std::unique_ptr<Raycaster> raycaster;
     std::unique_ptr<LightSampler> lights;
 
-    [[nodiscard]] TransportScene transport() const { return {scene, needs, *raycaster, *lights}; }
+    [[nodiscard]] TransportScene transport() const { return {scene, needs, *raycaster, *lights, mirrors}; }
     [[nodiscard]] std::unique_ptr<RadianceEstimator> estimator(const std::string& algorithm,
                                                                const AlgorithmSettings& settings = {}) const;
 };

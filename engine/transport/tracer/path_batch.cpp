@@ -17,6 +17,9 @@ namespace {
 constexpr int kLongPath = 64;
 constexpr float kLongPathSurvival = 0.98F;
 
+/// Of the matte vertices, those that look for lights in mirrors.
+constexpr float kMirrorShare = 0.25F;
+
 bool isFiniteAndPositive(const Rgb& c, RayFailure& failure) {
     if (!isFinite(c)) failure = RayFailure::NotFinite;
     else if (c.min() < 0) failure = RayFailure::Negative;
@@ -59,6 +62,7 @@ TransportCounters PathBatch<S>::run() {
         trace();
         for (std::size_t i = 0; i < paths_.size(); ++i) shade(i);
         traceShadows();
+        traceMirrored();
         removeEnded();
     }
     return finish();
@@ -143,7 +147,7 @@ void PathBatch<S>::shadeMet(Path& path, const Hit& hit, const SurfacePoint& poin
     if (last && !bsdf.letsThrough()) path.ended = true;
     else if (!bsdf.specular()) scatterRough(path, hit, point, bsdf, last);
     else if (point.material->kind == MaterialKind::Dielectric) scatterBoundary(path, point, bsdf);
-    else scatterSpecular(path, point, bsdf);
+    else scatterSpecular(path, hit, point, bsdf);
     if (path.reflections > settings_.maxReflections) path.ended = true;
 }
 
@@ -202,6 +206,7 @@ void PathBatch<S>::seeOpening(const Path& path, const Hit& hit) {
     const auto& luminaire = scene_.scene.luminaires[hit.luminaire];
     const auto opening = PlacedOpening::of(luminaire, scene_.scene.luminaireTypes[luminaire.type].photometry.opening);
     const auto met = opening.intersect(path.ray.origin, path.ray.direction, 0, kInfinity);
+    if (path.mirror != kNoMirror && foundByMirror(scene_, path.from, path.mirror, hit, path.ray.direction)) return;
     // The far side of a closed body faces away: what it emits there does not come this way.
     if (!met || (!opening.flat() && (dot(met->normal, path.ray.direction) >= 0 || met->distance < 0.999F * hit.distance)))
         return;
@@ -219,6 +224,7 @@ void PathBatch<S>::seeSurface(const Path& path, const Hit& hit, const SurfacePoi
     if (emitted.isBlack()) return;
     const float cosine = -dot(point.geometricNormal, path.ray.direction);
     const float distance = (point.position - path.from.position).length();
+    if (path.mirror != kNoMirror && foundByMirror(scene_, path.from, path.mirror, hit, cosine, distance)) return;
     const float pdf = path.pdfSolidAngle > 0
                           ? scene_.lights.pdfTriangle(path.from, hit.mesh, hit.triangle, distance, cosine)
                           : 0;
@@ -227,9 +233,10 @@ void PathBatch<S>::seeSurface(const Path& path, const Hit& hit, const SurfacePoi
 
 template <Spectrum S>
 template <class B>
-void PathBatch<S>::scatterSpecular(Path& path, const SurfacePoint& point, const B& bsdf) {
+void PathBatch<S>::scatterSpecular(Path& path, const Hit& hit, const SurfacePoint& point, const B& bsdf) {
     const auto frame = Frame::about(point.shadingNormal);
     const auto next = bsdf.sample(frame.toLocal(-path.ray.direction), path.numbers.next1D(), {0.5F, 0.5F});
+    const bool fromRough = path.pdfSolidAngle > 0;
     const Vec3 direction = next.passedThrough ? path.ray.direction : frame.toWorld(next.wi);
     const bool leaves = next.passedThrough || dot(direction, point.geometricNormal) > 0;
     path.throughput *= next.weight;
@@ -238,6 +245,7 @@ void PathBatch<S>::scatterSpecular(Path& path, const SurfacePoint& point, const 
     if (next.passedThrough) return;  // straight on: next-event estimation saw through the pane as well
     ++path.reflections;
     path.pdfSolidAngle = 0;
+    path.mirror = fromRough ? scene_.mirrors.of(hit.mesh, hit.triangle) : kNoMirror;
 }
 
 /// Into a solid or out of it, or back. Radiance was found by no other strategy: shadow rays do not bend.
@@ -257,6 +265,7 @@ void PathBatch<S>::scatterBoundary(Path& path, const SurfacePoint& point, const 
     path.throughput *= next.weight;
     path.ray = {point.departure(direction), 0, direction, kInfinity};
     path.pdfSolidAngle = 0;
+    path.mirror = kNoMirror;
     auto& media = media_[path.query];
     if (!next.refracted) ++path.reflections;
     else if (!point.frontFace) media.leave(*point.material);
@@ -271,10 +280,38 @@ void PathBatch<S>::scatterRough(Path& path, const Hit& hit, const SurfacePoint& 
     // Light from behind must not be weighed away where it is scattered through.
     const Receiver here{point.departure(point.geometricNormal), bsdf.transmits() ? Vec3(0, 0, 0) : point.shadingNormal,
                         point.material->kind != MaterialKind::Matte};
+    if (path.vertices == 0 && !settings_.mattePoints.empty() && point.material->kind == MaterialKind::Matte)
+        settings_.mattePoints[path.query] = {true, here.position, point.geometricNormal, point.shadingNormal};
     if (!last && !settings_.ambientRadiance.isBlack())
         add(path.query, 2, kFromAmbient, path.throughput * bsdf.albedo(wo.z) * fromRgb<S>(settings_.ambientRadiance));
     if (!last) connectLight(path, here, point, frame, wo, bsdf);
+    if (!last && path.reflections + 1 < settings_.maxReflections && !scene_.mirrors.empty())
+        connectByMirror(path, here, point, frame, wo, bsdf);
     scatter(path, here, point, frame, wo, bsdf);
+}
+
+/// Looks for a light in a mirror or pane, at some of the vertices, which count for all.
+template <Spectrum S>
+template <class B>
+void PathBatch<S>::connectByMirror(Path& path, const Receiver& here, const SurfacePoint& point, const Frame& frame, const Vec3& wo,
+                                   const B& bsdf) {
+    if (here.glossy || path.numbers.next1D() >= kMirrorShare) return;
+    const auto choice = scene_.mirrors.choose(path.numbers.next1D());
+    const auto& mirror = scene_.mirrors.all()[choice.mirror];
+    const auto weights = scene_.lights.weighThrough(mirror.mirrored(here), mirror.frame);
+    const float uSelect = path.numbers.next1D();
+    const auto found = aimByMirror(scene_, here, choice.mirror, weights, uSelect, path.numbers.next2D());
+    if (!found || dot(found->direction, point.geometricNormal) <= 0) return;
+    const auto value = bsdf.evaluate(wo, frame.toLocal(found->direction));
+    const S contribution = path.throughput * value.cosineWeighted * fromRgb<S>(found->light.weight) * (1 / (kMirrorShare * choice.probability));
+    if (!contribution.isBlack()) mirrored_.push_back({*found, contribution, here.position, path.query, path.reflections + 2});
+}
+
+template <Spectrum S>
+void PathBatch<S>::traceMirrored() {
+    for (const auto& m : mirrored_)
+        add(m.query, m.reflections, m.path.light.source, m.contribution * fromRgb<S>(throughputByMirror(scene_, m.origin, m.path, counters_)));
+    mirrored_.clear();
 }
 
 template <Spectrum S>
@@ -312,6 +349,7 @@ void PathBatch<S>::scatter(Path& path, const Receiver& here, const SurfacePoint&
     path.from = here;
     path.ray = {height > 0 ? here.position : point.departure(direction), 0, direction, kInfinity};
     path.pdfSolidAngle = next.pdf;
+    path.mirror = kNoMirror;
     ++path.reflections;
     const auto& needs = scene_.needs;
     const bool canSeeLight = needs.sky || needs.meshLights || needs.luminaireSurfaces;

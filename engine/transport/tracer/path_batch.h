@@ -3,6 +3,7 @@
 #include "engine/transport/radiance_estimator.h"
 #include "engine/transport/spectrum.h"
 #include "engine/transport/tracer/media.h"
+#include "engine/transport/tracer/mirrored_light.h"
 
 #include <cstdint>
 #include <span>
@@ -12,6 +13,15 @@ namespace luxdeck {
 
 struct SurfacePoint;
 
+/// Where a path was first scattered, when that place looks the same from wherever it is seen straight: a
+/// matte surface met without pane, mirror or hole before it. All reflected radiance of the path's sample left it.
+struct MattePoint {
+    bool met = false;
+    Vec3 position{0, 0, 0};         // just off the surface [m]
+    Vec3 geometricNormal{0, 0, 1};  // to the side that was met
+    Vec3 shadingNormal{0, 0, 1};
+};
+
 /// What a tracer follows.
 struct TracerSettings {
     int maxReflections = 1 << 30;  // light that was reflected more often is left out
@@ -20,6 +30,7 @@ struct TracerSettings {
                                    // reflections left out [cd/m^2]
     std::vector<SourceShare>* shares = nullptr;  // not null: what each light gave is appended to it; of radiance,
                                                  // `direct` being what was emitted
+    std::span<MattePoint> mattePoints;           // empty, or filled for each query
 };
 
 /// A batch of light paths, followed together from where light is asked for towards the lights: trace all
@@ -46,6 +57,8 @@ private:
         Receiver from;             // where the direction was sampled
         float pdfSolidAngle = 0;   // of the direction; 0: no other strategy, light counts in full
         float travelled = 0;       // along specular vertices since the start [m]
+        std::uint32_t mirror = kNoMirror;  // the flat mirror or pane that turned the path since it was scattered last,
+                                           // when next-event estimation looked that way too
         bool virtualOpen = true;   // only mirrors and panes so far
         bool ended = false;
     };
@@ -54,6 +67,14 @@ private:
         std::uint32_t query;
         int reflections;
         LightSource source;
+    };
+
+    struct Mirrored {
+        MirrorPath path;
+        S contribution;
+        Vec3 origin;
+        std::uint32_t query;
+        int reflections;
     };
 
     void trace();
@@ -74,6 +95,9 @@ private:
     void recordVirtual(Path& path, float distance, bool specular);
     void roulette(Path& path);
     void truncate(Path& path);
+    template <class B>
+    void connectByMirror(Path& path, const Receiver& here, const SurfacePoint& point, const Frame& frame, const Vec3& wo, const B& bsdf);
+    void traceMirrored();
     void traceShadows();
     void removeEnded();
     /// Adds to the part that light with this many reflections belongs to.
@@ -86,7 +110,7 @@ private:
     }
 
     template <class B>
-    void scatterSpecular(Path& path, const SurfacePoint& point, const B& bsdf);
+    void scatterSpecular(Path& path, const Hit& hit, const SurfacePoint& point, const B& bsdf);
     template <class B>
     void scatterBoundary(Path& path, const SurfacePoint& point, const B& bsdf);
     template <class B>
@@ -107,6 +131,7 @@ private:
     std::vector<Ray> rays_;
     std::vector<Hit> hits_;
     std::vector<Shadow> shadows_;
+    std::vector<Mirrored> mirrored_;
     std::vector<Ray> shadowRays_;
     std::vector<std::uint8_t> shadowed_;
     TransportCounters counters_;
