@@ -46,5 +46,5 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME luxdeck-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libembree-dev, libtbb-dev, libfmt-dev, libimath-dev, "
   "libopenexr-dev, libopencolorio-dev, libpng-dev, libjpeg-dev, libtomlplusplus-dev, nlohmann-json3-dev, "
-  "libxxhash-dev, qtbase5-dev")
+  "libxxhash-dev, qtbase5-dev, libqt5svg5-dev")
 include(CPack)
