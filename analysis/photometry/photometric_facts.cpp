@@ -102,18 +102,6 @@ Vec3d directionOf(PhotometryType type, double vertical, double horizontal) {
     return {0, 0, -1};
 }
 
-PeakDirection peakOf(const CandelaTable& table) {
-    const auto& values = table.candela();
-    const auto top = static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
-    const auto rows = table.vertical().size();
-    const Vec3d d = directionOf(table.type(), table.vertical()[top % rows], table.horizontal()[top / rows]);
-    PeakDirection peak{values[top], std::acos(std::clamp(-d.z, -1.0, 1.0)) / kDegree, 0};
-    // Half a thousandth from the axis every plane is the same direction.
-    if (std::hypot(d.x, d.y) > 5e-4) peak.planeDegrees = std::fmod(std::atan2(d.y, d.x) / kDegree + 360, 360.0);
-    if (peak.planeDegrees > 359.9995) peak.planeDegrees = 0;
-    return peak;
-}
-
 /// The reader has judged already; it says nothing where the two agree.
 std::string fluxJudgement(const Photometry& p, const std::optional<double>& ratio) {
     constexpr std::string_view kMark = "flux: ";
@@ -128,6 +116,18 @@ std::string fluxJudgement(const Photometry& p, const std::optional<double>& rati
 double intensityAt(const CandelaTable& table, double planeDegrees, double gammaDegrees) {
     const double g = gammaDegrees * kDegree, c = planeDegrees * kDegree;
     return table.intensity(Vec3(Vec3d(std::sin(g) * std::cos(c), std::sin(g) * std::sin(c), -std::cos(g))));
+}
+
+PeakDirection peakDirection(const CandelaTable& table) {
+    const auto& values = table.candela();
+    const auto top = static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+    const auto rows = table.vertical().size();
+    const Vec3d d = directionOf(table.type(), table.vertical()[top % rows], table.horizontal()[top / rows]);
+    PeakDirection peak{values[top], std::acos(std::clamp(-d.z, -1.0, 1.0)) / kDegree, 0};
+    // Half a thousandth from the axis every plane is the same direction.
+    if (std::hypot(d.x, d.y) > 5e-4) peak.planeDegrees = std::fmod(std::atan2(d.y, d.x) / kDegree + 360, 360.0);
+    if (peak.planeDegrees > 359.9995) peak.planeDegrees = 0;
+    return peak;
 }
 
 PolarCurve polarCurve(const CandelaTable& table) {
@@ -147,7 +147,7 @@ PhotometricFacts measure(const Photometry& p) {
     facts.lumensUp = std::max(0.0, facts.lumens - facts.lumensDown);
     if (p.lumensDeclared > 0) facts.declaredRatio = facts.lumens / p.lumensDeclared;
     facts.fluxJudgement = fluxJudgement(p, facts.declaredRatio);
-    if (!table.candela().empty()) facts.peak = peakOf(table);
+    if (!table.candela().empty()) facts.peak = peakDirection(table);
     facts.c0 = lobeOf(table, 0);
     facts.c90 = lobeOf(table, 90);
     facts.deviation = deviationOf(table);

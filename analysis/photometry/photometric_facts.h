@@ -43,6 +43,9 @@ struct PeakDirection {
     double planeDegrees = 0;  // of C, 0 where the peak is on the axis
 };
 
+/// Where the largest intensity of the table is. The table is not empty.
+PeakDirection peakDirection(const CandelaTable& table);
+
 /// What can be measured on a photometric file that has been read.
 struct PhotometricFacts {
     double lumens = 0;                     // integral of the interpolated intensities

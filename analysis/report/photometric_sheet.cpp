@@ -61,7 +61,7 @@ std::vector<Fact> factsOf(const CheckedFile& checked) {
         {"Beam angle, 50 %", degrees(f.c0.beamDegrees) + " in C0, " + degrees(f.c90.beamDegrees) + " in C90"},
         {"Field angle, 10 %", degrees(f.c0.fieldDegrees) + " in C0, " + degrees(f.c90.fieldDegrees) + " in C90"},
         {"Symmetry, stored", symmetryText(p.symmetry)},
-        {"Symmetry, measured", line(fmt::format("{}, best off by {:.2g} %", symmetryText(f.measured), 100 * deviation))},
+        {"Symmetry, measured", line(fmt::format("{}, off by {:.2f} %", symmetryText(f.measured), 100 * deviation))},
         {"Luminous opening", openingOf(p.opening)},
         {"Angles", QString("%1 γ × %2 C, type %3").arg(t.vertical().size()).arg(t.horizontal().size()).arg(typeText(t.type()))},
         {"Power", p.watts > 0 ? line(formatNumber(p.watts, 4) + " W") : "not given"},
@@ -107,7 +107,11 @@ void drawFoot(Canvas& canvas, const CheckedFile& checked) {
     const double space = kRight - kLeft - canvas.textWidth(program, type::kSmall) - 8;
     auto note = "Flux: " + checked.facts.fluxJudgement;
     if (!p.repairs.empty()) note += fmt::format("  ·  {} repaired", p.repairs.size());
-    canvas.text(kLeft, 201, canvas.elided(line(note), space, type::kSmall), type::kSmall.with(ink::kBlack));
+    const auto rows = canvas.wrap(line(note), space, type::kSmall);
+    for (int i = 0; i < std::min<int>(2, rows.size()); ++i) {
+        const auto text = i == 1 && rows.size() > 2 ? canvas.elided(rows[1] + " " + rows[2], space, type::kSmall) : rows[i];
+        canvas.text(kLeft, 201 + i * Canvas::lineHeight(type::kSmall), text, type::kSmall.with(ink::kBlack));
+    }
     canvas.text(kRight, 201, program, type::kSmall.aligned(Align::Right));
 }
 

@@ -28,9 +28,18 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
     return most;
 }
 
+/// Every kPlaneStep degrees, and the plane of the maximum, which may lie between.
+std::vector<int> planesOf(const CandelaTable& table) {
+    std::vector<int> planes;
+    for (int plane = 0; plane < 360; plane += kPlaneStep) planes.push_back(plane);
+    const int most = static_cast<int>(std::lround(peakDirection(table).planeDegrees)) % 360;
+    if (most % kPlaneStep != 0) planes.insert(std::upper_bound(planes.begin(), planes.end(), most), most);
+    return planes;
+}
+
 std::vector<PlaneCurve> curvesOf(const CandelaTable& table, double peak) {
     std::vector<PlaneCurve> curves;
-    for (int plane = 0; plane < 360; plane += kPlaneStep) {
+    for (const int plane : planesOf(table)) {
         std::vector<double> candela;
         for (int i = 0; i <= 180 * kStepsPerDegree; ++i)
             candela.push_back(intensityAt(table, plane, static_cast<double>(i) / kStepsPerDegree));
@@ -41,8 +50,6 @@ std::vector<PlaneCurve> curvesOf(const CandelaTable& table, double peak) {
     }
     return curves;
 }
-
-double peakOf(const CandelaTable& table) { return table.maxIntensity(); }
 
 struct GammaRange {
     int from = 0, to = 180, step = 30;
@@ -133,7 +140,7 @@ void drawCurve(Canvas& canvas, const PlotFrame& frame, const PlaneCurve& curve, 
 }  // namespace
 
 void drawPlaneCurves(Canvas& canvas, const QRectF& area, const CandelaTable& table) {
-    const double peak = peakOf(table);
+    const double peak = table.maxIntensity();
     const auto curves = curvesOf(table, peak);
     const auto steps = axisSteps(peak);
     double numbers = 0;

@@ -4,8 +4,9 @@
 #include "engine/core/units.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace luxdeck::report {
 
@@ -112,33 +113,55 @@ void drawCurves(Canvas& canvas, const PolarFrame& frame, const PolarCurve& curve
     canvas.polyline(c0, ink::kAccent, full ? 0.6 : 0.35);
 }
 
-/// The spoke along which ring numbers stand farthest from the curves, between the labelled spokes.
-double labelSpoke(const PolarFrame& frame, const PolarCurve& curve, const AxisSteps& rings) {
-    constexpr std::array<double, 12> kSpokes{52.5, -52.5, 67.5, -67.5, 37.5, -37.5, 82.5, -82.5, 112.5, -112.5, 142.5, -142.5};
-    double best = kSpokes[0], bestGap = -1;
-    for (const double spoke : kSpokes) {
-        if (!frame.shows(spoke)) continue;
-        double gap = 1e9;
-        for (int i = 1; i <= rings.count; ++i)
-            for (int around = -6; around <= 6; around += 3) {
-                const auto k = static_cast<std::size_t>(std::lround(spoke + around) + PolarCurve::kStepsPerTurn / 2);
-                for (const auto* side : {&curve.c0, &curve.c90})
-                    gap = std::min(gap, std::abs(static_cast<double>(i) / rings.count - (*side)[k] / frame.top));
-            }
-        if (gap > bestGap + 0.02) best = spoke, bestGap = gap;
+struct RingNumber {
+    QString text;
+    QRectF box;
+};
+
+std::vector<RingNumber> ringNumbers(const Canvas& canvas, const PolarFrame& frame, const AxisSteps& rings, double spoke) {
+    std::vector<RingNumber> out;
+    for (int i = 1; i <= rings.count; ++i) {
+        const bool outermost = i == rings.count;
+        const auto number = line(formatNumber(rings.step * i) + (outermost ? " cd" : ""));
+        const double width = canvas.textWidth(number, type::kLabel) + 1.2, height = Canvas::capHeight(type::kLabel) + 1.4;
+        const double a = std::abs(spoke) * kDegree;  // the outermost number stays inside its ring
+        const double inset = outermost ? (width / 2 * std::sin(a) + height / 2 * std::abs(std::cos(a))) / frame.radiusMm : 0;
+        const auto at = frame.at(spoke, static_cast<double>(i) / rings.count - inset);
+        out.push_back({number, {at.x() - width / 2, at.y() - height / 2, width, height}});
     }
-    return best;
+    return out;
 }
 
+/// How far the nearest point of a curve is from the nearest number [mm]; negative inside one.
+double clearance(const std::vector<RingNumber>& numbers, const std::vector<QPolygonF>& curves) {
+    double least = 1e9;
+    for (const auto& number : numbers) {
+        const QPointF centre = number.box.center();
+        for (const auto& curve : curves)
+            for (const auto& p : curve)
+                least = std::min(least, std::max(std::abs(p.x() - centre.x()) - number.box.width() / 2,
+                                                 std::abs(p.y() - centre.y()) - number.box.height() / 2));
+    }
+    return least;
+}
+
+/// Every ring's number on one spoke, where the curves leave most room.
 void drawRingNumbers(Canvas& canvas, const PolarFrame& frame, const PolarCurve& curve, const AxisSteps& rings) {
-    const double spoke = labelSpoke(frame, curve, rings);
-    const auto style = type::kLabel.aligned(Align::Centre);
-    for (int i = 1; i <= rings.count; ++i) {
-        const auto number = line(formatNumber(rings.step * i) + (i == rings.count ? " cd" : ""));
-        const double width = canvas.textWidth(number, style) + 1.2, height = Canvas::capHeight(style) + 1.4;
-        const auto at = frame.at(spoke, static_cast<double>(i) / rings.count - (i == rings.count ? 0.035 : 0));
-        canvas.fillRect({at.x() - width / 2, at.y() - height / 2, width, height}, ink::kWhite);
-        canvas.text(at.x(), at.y() + Canvas::capHeight(style) / 2, number, style.with(ink::kBlack));
+    const std::vector<QPolygonF> curves{outline(frame, curve.c0), outline(frame, curve.c90)};
+    std::vector<RingNumber> best;
+    double room = -1e9;
+    for (int spoke = 0; spoke <= 345; spoke += 5) {
+        const int angle = spoke <= 180 ? spoke : spoke - 360;
+        const int fromAngle = spoke % 30;  // the angles' own numbers stand at every 30 degrees
+        if (!frame.shows(angle) || fromAngle < 10 || fromAngle > 20) continue;
+        auto numbers = ringNumbers(canvas, frame, rings, angle);
+        const double here = clearance(numbers, curves);
+        if (here > room + 0.05) room = here, best = std::move(numbers);
+    }
+    const auto style = type::kLabel.with(ink::kBlack).aligned(Align::Centre);
+    for (const auto& [text, box] : best) {
+        canvas.fillRect(box, ink::kWhite);
+        canvas.text(box.center().x(), box.center().y() + Canvas::capHeight(style) / 2, text, style);
     }
 }
 
