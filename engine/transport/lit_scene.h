@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/sampling/sky_sampler.h"
 #include "engine/transport/radiance_estimator.h"
 
 #include <memory>
@@ -18,13 +19,14 @@ public:
     [[nodiscard]] const SceneNeeds& needs() const { return *needs_; }
     [[nodiscard]] const Raycaster& raycaster() const { return *raycaster_; }
     [[nodiscard]] const LightSampler& lights() const { return *lights_; }
-    [[nodiscard]] TransportScene transport() const { return {*scene_, *needs_, *raycaster_, *lights_}; }
+    [[nodiscard]] TransportScene transport() const { return {*scene_, *needs_, *raycaster_, *lights_, sky_.get()}; }
 
 private:
     const Scene* scene_ = nullptr;
     std::unique_ptr<SceneNeeds> needs_;  // on the heap: estimators keep references while this moves
     std::unique_ptr<Raycaster> raycaster_;
     std::unique_ptr<LightSampler> lights_;
+    std::unique_ptr<SkySampler> sky_;  // null: nothing to sample
 };
 
 }  // namespace luxdeck

@@ -17,6 +17,8 @@
 
 namespace luxdeck {
 
+class SkySampler;
+
 /// One ray to find the radiance along.
 struct RadianceQuery {
     Ray ray;
@@ -117,6 +119,7 @@ struct TransportScene {
     const SceneNeeds& needs;
     const Raycaster& raycaster;
     const LightSampler& lights;
+    const SkySampler* sky = nullptr;  // none: no sky, or it is left to the receivers' own directions
 };
 
 /// Settings of the algorithms; each reads those that its card names.

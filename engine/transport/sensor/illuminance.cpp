@@ -2,6 +2,7 @@
 
 #include "engine/sampling/warp.h"
 #include "engine/transport/surface/surface_point.h"
+#include "engine/transport/tracer/light_choice.h"
 #include "engine/transport/tracer/shadow.h"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ public:
             weighedAt_ = at, weighed_ = true;
         }
         const float uSelect = numbers.next1D();
-        const auto light = scene_.lights.sample(at, weights_, uSelect, numbers.next2D());
+        const auto light = chooseLight(scene_, at, weights_, uSelect, numbers.next2D());
         if (!light.lit()) return;
         const float weight = sensorWeight(query.kind, dot(light.direction, query.normal));
         if (!(weight > 0)) return;

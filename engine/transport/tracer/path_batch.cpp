@@ -4,6 +4,7 @@
 #include "engine/transport/surface/bsdf.h"
 #include "engine/transport/surface/straight.h"
 #include "engine/transport/surface/surface_point.h"
+#include "engine/transport/tracer/light_choice.h"
 #include "engine/transport/tracer/shadow.h"
 
 #include <algorithm>
@@ -193,8 +194,9 @@ void PathBatch<S>::recordVirtual(Path& path, float distance, bool specular) {
 template <Spectrum S>
 void PathBatch<S>::seeSky(Path& path) {
     path.ended = true;
-    if (scene_.needs.sky)  // no other strategy samples it: full weight
-        add(path.query, path.reflections, kFromSky, throughputAfter(path, kInfinity) * fromRgb<S>(scene_.scene.sky.radiance(path.ray.direction)));
+    if (!scene_.needs.sky) return;
+    const Rgb radiance = skyRadiance(scene_, path.from, path.ray.direction, path.pdfSolidAngle);
+    add(path.query, path.reflections, kFromSky, throughputAfter(path, kInfinity) * fromRgb<S>(radiance));
 }
 
 template <Spectrum S>
@@ -206,7 +208,7 @@ void PathBatch<S>::seeOpening(const Path& path, const Hit& hit) {
     if (!met || (!opening.flat() && (dot(met->normal, path.ray.direction) >= 0 || met->distance < 0.999F * hit.distance)))
         return;
     const float pdf = path.pdfSolidAngle > 0
-                          ? scene_.lights.pdfOpening(path.from, hit.luminaire, path.ray.direction)
+                          ? lampChance(scene_, path.from) * scene_.lights.pdfOpening(path.from, hit.luminaire, path.ray.direction)
                           : 0;
     const S radiance = fromRgb<S>(scene_.lights.openingRadiance(hit.luminaire, -path.ray.direction));
     add(path.query, path.reflections, hit.luminaire, throughputAfter(path, hit.distance) * radiance * weightOfDirection(path, pdf));
@@ -220,7 +222,7 @@ void PathBatch<S>::seeSurface(const Path& path, const Hit& hit, const SurfacePoi
     const float cosine = -dot(point.geometricNormal, path.ray.direction);
     const float distance = (point.position - path.from.position).length();
     const float pdf = path.pdfSolidAngle > 0
-                          ? scene_.lights.pdfTriangle(path.from, hit.mesh, hit.triangle, distance, cosine)
+                          ? lampChance(scene_, path.from) * scene_.lights.pdfTriangle(path.from, hit.mesh, hit.triangle, distance, cosine)
                           : 0;
     add(path.query, path.reflections, kFromSurfaces, path.throughput * fromRgb<S>(emitted) * weightOfDirection(path, pdf));
 }
@@ -282,7 +284,7 @@ template <class B>
 void PathBatch<S>::connectLight(Path& path, const Receiver& here, const SurfacePoint& point, const Frame& frame,
                                 const Vec3& wo, const B& bsdf) {
     const float uSelect = path.numbers.next1D();
-    const auto light = scene_.lights.sample(here, uSelect, path.numbers.next2D());
+    const auto light = chooseLight(scene_, here, uSelect, path.numbers.next2D());
     if (!light.lit()) return;
     const float height = dot(light.direction, point.geometricNormal);
     if (height <= 0 && !bsdf.transmits()) return;
