@@ -1,68 +1,20 @@
+#include "cli/check_photometry.h"
 #include "cli/command.h"
 #include "cli/json_text.h"
 #include "cli/load.h"
-#include "engine/io/photometry.h"
 
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <algorithm>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace luxdeck::cli {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const char* symmetryText(PhotometrySymmetry s) {
-    switch (s) {
-        case PhotometrySymmetry::None: return "none";
-        case PhotometrySymmetry::Axial: return "axial";
-        case PhotometrySymmetry::Bilateral0to180: return "about C0-C180";
-        case PhotometrySymmetry::Bilateral90to270: return "about C90-C270";
-        case PhotometrySymmetry::Quadrant: return "about both planes";
-    }
-    return "";
-}
-
-const char* openingText(OpeningShape s) {
-    switch (s) {
-        case OpeningShape::Point: return "point";
-        case OpeningShape::Rectangle: return "rectangle";
-        case OpeningShape::Disc: return "disc";
-        case OpeningShape::Box: return "box";
-        case OpeningShape::Cylinder: return "cylinder";
-        case OpeningShape::Sphere: return "sphere";
-    }
-    return "";
-}
-
-const char* typeText(PhotometryType t) { return t == PhotometryType::C ? "C" : t == PhotometryType::B ? "B" : "A"; }
-
-Json photometryJson(const Photometry& p) {
-    const auto& t = p.table;
-    return {{"schema", "luxdeck-check/1"}, {"name", p.name}, {"manufacturer", p.manufacturer}, {"lamp", p.lamp}, {"format", p.format},
-            {"photometry", fmt::format("type {}{}", typeText(t.type()), p.absolute ? ", absolute" : ", relative")},
-            {"lumensDeclared", p.lumensDeclared}, {"lumensIntegrated", t.lumens()}, {"lumensDown", t.lumensDown()},
-            {"maxCandela", t.maxIntensity()}, {"symmetry", symmetryText(p.symmetry)},
-            {"opening", {{"shape", openingText(p.opening.shape)}, {"length", p.opening.lengthM}, {"width", p.opening.widthM}, {"height", p.opening.heightM}}},
-            {"angles", {{"vertical", t.vertical().size()}, {"horizontal", t.horizontal().size()}}}, {"watts", p.watts},
-            {"fileHash", p.fileHash}, {"repairs", p.repairs}, {"warnings", p.warnings}};
-}
-
-std::string photometryText(const Photometry& p) {
-    const auto& t = p.table;
-    std::string text = fmt::format("{}{}\n  photometry  {}, type {}, {}, symmetry {}\n  angles      {} vertical, {} horizontal\n", p.name.empty() ? "luminaire without a name" : p.name, p.manufacturer.empty() ? "" : "  (" + p.manufacturer + ")",
-                                   p.format, typeText(t.type()), p.absolute ? "absolute" : "relative", symmetryText(p.symmetry),
-                                   t.vertical().size(), t.horizontal().size());
-    text += fmt::format("  lumens      {:.1f} integrated, {} declared\n  candela     {:.1f} at most\n  opening     {} {:.3f} x {:.3f} x {:.3f} m (length along C0-C180)\n", t.lumens(),
-                        p.lumensDeclared > 0 ? fmt::format("{:.1f}", p.lumensDeclared) : "none", t.maxIntensity(), openingText(p.opening.shape),
-                        p.opening.lengthM, p.opening.widthM, p.opening.heightM);
-    if (p.watts > 0) text += fmt::format("  power       {:.1f} W, {:.0f} lm/W\n", p.watts, t.lumens() / p.watts);
-    for (const auto& r : p.repairs) text += "  repaired: " + r + "\n";
-    for (const auto& w : p.warnings) text += "  warning: " + w + "\n";
-    return text;
-}
 
 Json needsJson(const SceneNeeds& n) {
     return {{"specularChains", n.specularChains}, {"transmission", n.transmission}, {"glossy", n.glossy}, {"textures", n.textures},
@@ -116,31 +68,39 @@ std::string projectText(const Loaded& l) {
     return text;
 }
 
-bool isPhotometric(const std::filesystem::path& path) {
-    auto extension = path.extension().string();
-    for (auto& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension == ".ies" || extension == ".ldt";
+Exit checkScene(const std::string& path, const Context& context) {
+    const auto loaded = load(path, context.common.quiet);
+    if (!loaded) return complain(loaded.error());
+    if (context.progress.cancelled()) return Exit::Interrupted;
+    const auto told = writeOutput("-", context.common.json ? jsonText(projectJson(**loaded)) : projectText(**loaded));
+    return told ? Exit::Ok : complain(told.error());
+}
+
+struct Options {
+    std::vector<std::string> files;
+    std::string drawing;
+};
+
+Exit runCheck(const Options& o, const Context& context) {
+    const auto photometric = std::count_if(o.files.begin(), o.files.end(), isPhotometric);
+    if (static_cast<std::size_t>(photometric) == o.files.size()) return checkPhotometry(o.files, o.drawing, context);
+    if (o.files.size() > 1)
+        return complain({ErrorCode::InvalidArgument, fmt::format("{} files, expected one project or scene, or photometric files alone", o.files.size()), o.files[0]});
+    if (!o.drawing.empty())
+        return complain({ErrorCode::InvalidArgument, "is no photometric file (.ies, .ldt): there is nothing to draw with -o", o.files[0]});
+    return checkScene(o.files[0], context);
 }
 
 }  // namespace
 
 Command addCheck(CLI::App& program) {
-    const auto path = std::make_shared<std::string>();
-    auto* app = program.add_subcommand("check", "Read and check a project, a scene or a photometric file: what is in it (in m, lm and cd), what it needs, what is left out and why");
-    app->add_option("file", *path, "project.toml, .glb, .gltf, .obj, .ies or .ldt")->required()->type_name("FILE");
-    return {app, [path](Context& context) {
-        if (isPhotometric(*path)) {
-            const auto photometry = loadPhotometry(*path);
-            if (!photometry) return complain(photometry.error());
-            const auto told = writeOutput("-", context.common.json ? jsonText(photometryJson(*photometry)) : photometryText(*photometry));
-            return told ? Exit::Ok : complain(told.error());
-        }
-        const auto loaded = load(*path, context.common.quiet);
-        if (!loaded) return complain(loaded.error());
-        if (context.progress.cancelled()) return Exit::Interrupted;
-        const auto told = writeOutput("-", context.common.json ? jsonText(projectJson(**loaded)) : projectText(**loaded));
-        return told ? Exit::Ok : complain(told.error());
-    }};
+    const auto o = std::make_shared<Options>();
+    auto* app = program.add_subcommand("check", "Read and check a project, a scene or photometric files: what is in it (in m, lm and cd), what it needs, what is left out, repaired or refused, and why");
+    app->add_option("file", o->files, "project.toml, .glb, .gltf, .obj, or one or more .ies and .ldt")->required()->type_name("FILE");
+#ifdef LUXDECK_REPORT
+    app->add_option("-o,--output", o->drawing, "Draw the photometric file: polar curve and intensity by C plane in cd, .png, .pdf or .svg")->type_name("F.png");
+#endif
+    return {app, [o](Context& context) { return runCheck(*o, context); }};
 }
 
 }  // namespace luxdeck::cli

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 namespace luxdeck::cli {
 
 void printWarnings(const std::vector<std::string>& warnings, bool quiet) {
@@ -12,9 +14,11 @@ void printWarnings(const std::vector<std::string>& warnings, bool quiet) {
     for (const auto& warning : warnings) say(fmt::format("warning: {}\n", warning));
 }
 
-Result<std::unique_ptr<Loaded>> load(const std::string& path, bool quiet) {
+Result<std::unique_ptr<Loaded>> load(const std::string& path, bool quiet) { return load(std::vector<std::string>{path}, quiet); }
+
+Result<std::unique_ptr<Loaded>> load(const std::vector<std::string>& paths, bool quiet) {
     const Stopwatch clock;
-    auto project = loadProject(path);
+    auto project = loadProject(std::vector<std::filesystem::path>(paths.begin(), paths.end()));
     if (!project) return project.error();
     auto loaded = std::make_unique<Loaded>();
     loaded->project = *std::move(project);
@@ -22,7 +26,7 @@ Result<std::unique_ptr<Loaded>> load(const std::string& path, bool quiet) {
     if (!lit) return lit.error();
     loaded->lit = *std::move(lit);
     auto& scene = loaded->project.scene;
-    if (scene.luminaires.empty() && !scene.sky.present() && !loaded->lit.needs().meshLights)
+    if (scene.luminaires.empty() && !scene.sky.present() && scene.sky.suns.empty() && !loaded->lit.needs().meshLights)
         scene.warnings.emplace_back("there is no light in this scene: no luminaire, no sky and no emitting surface");
     printWarnings(scene.warnings, quiet);
     loaded->seconds = clock.seconds();

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace luxdeck::cli {
 
@@ -17,6 +18,8 @@ struct Loaded {
 
 /// Reads a project or a bare scene and makes it ready; prints its warnings unless quiet.
 Result<std::unique_ptr<Loaded>> load(const std::string& path, bool quiet);
+/// The same; several files are those of a Radiance scene, read as one in their order.
+Result<std::unique_ptr<Loaded>> load(const std::vector<std::string>& paths, bool quiet);
 
 void printWarnings(const std::vector<std::string>& warnings, bool quiet);
 

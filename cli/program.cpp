@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/completions.h"
 #include "cli/interrupt.h"
 #include "cli/man_page.h"
 #include "cli/progress_bar.h"
@@ -62,6 +63,9 @@ int run(int argc, const char* const* argv) {
     program.require_subcommand(0, 1);
     bool man = false;
     program.add_flag("--man", man, "Print the manual page (troff)");
+    std::string shell;
+    program.add_option("--completions", shell, "Print the completion script for a shell")
+        ->check(CLI::IsMember({"bash", "zsh", "fish"}))->type_name("SHELL");
     const auto commands = addCommands(program);
     Common common;
     for (const auto& command : commands) addCommon(*command.app, common);
@@ -74,6 +78,7 @@ int run(int argc, const char* const* argv) {
         return code == 0 ? print(out.str()) : static_cast<int>(Exit::Usage);
     }
     if (man) return print(manPage(program));
+    if (!shell.empty()) return print(completions(program, shell == "bash" ? Shell::Bash : shell == "zsh" ? Shell::Zsh : Shell::Fish));
     for (const auto& command : commands)
         if (command.app->parsed()) return static_cast<int>(runCommand(command, common));
     say(program.help());

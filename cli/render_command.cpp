@@ -7,13 +7,16 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace luxdeck::cli {
 
 namespace {
 
 struct Options {
-    std::string project, view, output;
+    std::vector<std::string> project;
+    std::string view, output;
     std::string quantity = "luminance";
     std::vector<int> size;
     Effort effort;
@@ -71,7 +74,7 @@ Exit runRender(const Options& o, Context& context) {
 Command addRender(CLI::App& program) {
     const auto o = std::make_shared<Options>();
     auto* app = program.add_subcommand("render", "A picture of a view: float EXR in cd/m² with its standard error");
-    app->add_option("project", o->project, "project.toml or a scene file")->required()->type_name("PROJECT");
+    app->add_option("project", o->project, "project.toml or a scene file; several .rad and .mat files are one scene, in their order")->required()->type_name("PROJECT");
     app->add_option("--view", o->view, "Name of the view; the first one when not given")->type_name("NAME");
     app->add_option("-o,--output", o->output, "The picture")->required()->check(namedAs(".exr"))->type_name("F.exr");
     app->add_option("--size", o->size, "Width and height in pixels, instead of the view's own")->expected(2)->check(CLI::Range(1, 32768))->type_name("W H");

@@ -13,13 +13,15 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace luxdeck::cli {
 
 namespace {
 
 struct Options {
-    std::string scene;
+    std::vector<std::string> scene;
     bool radiance = false;
     bool irradiance = false;
     bool cylindrical = false;
@@ -180,7 +182,7 @@ Command addSense(CLI::App& program) {
     const auto o = std::make_shared<Options>();
     auto* app = program.add_subcommand("sense", "Radiance along rays or illuminance at points: reads `x y z dx dy dz` a line, answers `R G B Y ci95` a line, in order, in cd/m² or lx. "
         "A line that is not six numbers is answered by nan nan nan nan inf (exit status 3 at the end), a blank line by a blank line. Lines are answered as they come");
-    app->add_option("scene", o->scene, "project.toml or a scene file")->required()->type_name("SCENE");
+    app->add_option("scene", o->scene, "project.toml or a scene file; several .rad and .mat files are one scene, in their order")->required()->type_name("SCENE");
     auto* radiance = app->add_flag("--radiance", o->radiance, "Radiance along the ray from x y z towards dx dy dz, in cd/m²");
     auto* irradiance = app->add_flag("--irradiance", o->irradiance, "Illuminance at x y z on a surface that faces dx dy dz, in lx (the default)");
     auto* cylindrical = app->add_flag("--cylindrical", o->cylindrical, "Illuminance of a small cylinder at x y z with axis dx dy dz, in lx");

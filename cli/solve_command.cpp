@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace luxdeck::cli {
 
@@ -77,7 +79,8 @@ Result<SolveResult> runSolve(const Loaded& loaded, const Effort& effort, const C
 
 Command addSolve(CLI::App& program) {
     struct Options {
-        std::string project, output = "-";
+        std::vector<std::string> project;
+        std::string output = "-";
         Effort effort;
     };
     const auto o = std::make_shared<Options>();

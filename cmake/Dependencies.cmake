@@ -28,5 +28,5 @@ endif()
 message(STATUS "Embree ${embree_VERSION}")
 
 if(LUXDECK_REPORT)
-  find_package(Qt5 REQUIRED COMPONENTS Gui)
+  find_package(Qt5 REQUIRED COMPONENTS Gui Svg)
 endif()

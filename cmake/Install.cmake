@@ -13,6 +13,14 @@ install(FILES LICENSE README.md DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT 
 if(TARGET luxdeck_man)
   install(FILES "${PROJECT_BINARY_DIR}/luxdeck.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT Runtime)
 endif()
+if(TARGET luxdeck_completions)
+  # Where Debian's bash-completion, zsh and fish look for what packages bring.
+  set(completions "${PROJECT_BINARY_DIR}/completions")
+  install(FILES "${completions}/luxdeck" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT Runtime)
+  install(FILES "${completions}/_luxdeck" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions" COMPONENT Runtime)
+  install(FILES "${completions}/luxdeck.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d" COMPONENT Runtime)
+endif()
+install(DIRECTORY docs/schemas DESTINATION "${CMAKE_INSTALL_DATADIR}/luxdeck" COMPONENT Runtime)
 
 install(TARGETS ${layers} EXPORT luxdeckTargets ARCHIVE COMPONENT Development)
 install(DIRECTORY engine tonemap analysis DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/luxdeck" COMPONENT Development
@@ -46,5 +54,5 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME luxdeck-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libembree-dev, libtbb-dev, libfmt-dev, libimath-dev, "
   "libopenexr-dev, libopencolorio-dev, libpng-dev, libjpeg-dev, libtomlplusplus-dev, nlohmann-json3-dev, "
-  "libxxhash-dev, qtbase5-dev")
+  "libxxhash-dev, qtbase5-dev, libqt5svg5-dev")
 include(CPack)

@@ -3,6 +3,7 @@
 #include "analysis/report/convergence_page.h"
 #include "analysis/report/cover_page.h"
 #include "analysis/report/method_page.h"
+#include "analysis/report/offscreen.h"
 #include "analysis/report/page_layout.h"
 #include "analysis/report/plan_page.h"
 #include "analysis/report/schedule_page.h"
@@ -11,15 +12,11 @@
 #include "engine/core/file.h"
 
 #include <QBuffer>
-#include <QGuiApplication>
-#include <QLoggingCategory>
-#include <QHash>
 #include <QPdfWriter>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 
 namespace luxdeck {
@@ -29,30 +26,6 @@ namespace {
 using namespace report;
 
 constexpr int kDotsPerInch = 1200;
-
-/// Qt needs an application for fonts; the command line has none, the desktop program has its own.
-void ensureApplication() {
-    if (QCoreApplication::instance() != nullptr) return;
-    // Its notes on desktop services ("XDG_RUNTIME_DIR not set") would stand between ours; what matters is in the Result.
-    QLoggingCategory::setFilterRules("default.warning=false");
-    static int count = 3;
-    static char name[] = "luxdeck", option[] = "-platform", platform[] = "offscreen";
-    static char* arguments[] = {name, option, platform, nullptr};
-    new QGuiApplication(count, arguments);  // kept to the end of the process: Qt allows only one, ever
-}
-
-/// Qt writes a PDF's fonts in the order of a hash table, which is random from process to process unless its
-/// seed is fixed. Tables that exist keep the seed they were made with, so this disturbs nobody.
-class FixedHashOrder {
-public:
-    FixedHashOrder() { qSetGlobalQHashSeed(0); }
-    ~FixedHashOrder() { qSetGlobalQHashSeed(before_ == 0 ? 0 : -1); }
-    FixedHashOrder(const FixedHashOrder&) = delete;
-    FixedHashOrder& operator=(const FixedHashOrder&) = delete;
-
-private:
-    int before_ = qGlobalQHashSeed();
-};
 
 void layOut(QPdfWriter& writer, const ReportContents& contents, const QString& family, const Pagination* known,
             Pagination& found) {
@@ -85,27 +58,6 @@ std::string onePass(const ReportContents& contents, const QString& family, const
     return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
 }
 
-/// "D:20261122184000" of "2026-11-22T18:40:00Z"; a fixed day when the contents have no date.
-std::string pdfDate(const std::string& created) {
-    std::string digits;
-    std::copy_if(created.begin(), created.end(), std::back_inserter(digits), [](unsigned char c) { return std::isdigit(c); });
-    if (digits.size() < 8) digits = "20000101";
-    digits.resize(14, '0');
-    return "D:" + digits;
-}
-
-/// Qt writes the time of writing: puts the contents' own in its place, at the same length, so that the
-/// table of offsets at the end of the file stays right.
-void fixDate(std::string& pdf, const std::string& created) {
-    constexpr std::string_view kKey = "/CreationDate (";
-    const auto at = pdf.rfind(kKey);
-    if (at == std::string::npos) return;
-    const auto begin = at + kKey.size(), end = pdf.find(')', begin);
-    auto date = pdfDate(created) + "Z00'00'";
-    date.resize(end - begin, ' ');
-    pdf.replace(begin, end - begin, date);
-}
-
 Result<void> checkViews(const ReportContents& contents) {
     for (const auto& view : contents.views) {
         const auto picture = QImage::fromData(reinterpret_cast<const uchar*>(view.png.data()), static_cast<int>(view.png.size()));
@@ -135,13 +87,13 @@ Result<std::string> pdfBytes(const ReportContents& contents) {
     ensureApplication();
     const FixedHashOrder fixedOrder;
     if (auto checked = checkViews(contents); !checked) return checked.error();
-    const auto family = reportFontFamily();
-    if (family.isEmpty())
-        return Error{ErrorCode::OutOfResources, "no font is installed, expected Inter or DejaVu Sans (packages fonts-inter, fonts-dejavu-core)"};
+    const auto installed = requireFont();
+    if (!installed) return installed.error();
+    const QString& family = *installed;
     Pagination pages, again;
     onePass(contents, family, nullptr, pages);
     auto pdf = onePass(contents, family, &pages, again);
-    fixDate(pdf, contents.created);
+    fixPdfDate(pdf, contents.created);
     return pdf;
 }
 

@@ -33,7 +33,7 @@ public:
     Result<void> addText(std::string_view text, const std::string& where);
     /// errors  those of CalLibrary::functions()
     Result<void> addFile(std::string_view name, const std::filesystem::path& folder, CalLibrary& library);
-    /// An expression of parameters, as a function of that name: define("x`", {"s", "t"}, "cos(2*PI*s)", where).
+    /// An expression of parameters, as a function of that name: define("x", {"s", "t"}, "cos(2*PI*s)", where).
     /// errors  Parse, at `where`
     Result<void> define(const std::string& name, const std::vector<std::string>& parameters, std::string_view expression,
                         const std::string& where);

@@ -85,6 +85,7 @@ MaterialUse MaterialReader::read(const JsonView& json, std::size_t index) {
         warn(material, "KHR_materials_unlit has no physical meaning; taken as matte");
     }
     readTransmission(json, material);
+    readAlpha(json, material);
     checkUnusedTextures(json);
     warnOfTheRest(json, material);
     scene_.materials.push_back(std::move(material));
@@ -167,6 +168,33 @@ void MaterialReader::readTransmission(const JsonView& json, Material& material) 
         warn(material, "transmission is approximated by a clear pane without thickness, texture or roughness");
 }
 
+void MaterialReader::readAlpha(const JsonView& json, Material& material) {
+    const std::string mode = json["alphaMode"].text("OPAQUE");
+    const auto cutoff = json["alphaCutoff"];
+    if (cutoff.number(0.5) < 0) cutoff.fail("is negative");
+    if (mode == "OPAQUE" || material.kind == MaterialKind::ThinGlass) return;
+    if (mode != "MASK" && mode != "BLEND") {
+        json["alphaMode"].fail("is none of OPAQUE, MASK, BLEND");
+        return;
+    }
+    const auto glossy = json.extension("KHR_materials_pbrSpecularGlossiness");
+    const auto factor = glossy.present() ? glossy["diffuseFactor"] : json["pbrMetallicRoughness"]["baseColorFactor"];
+    material.alpha = fraction(factor, factor.numbers<4>({1, 1, 1, 1})[3], material);
+    const auto limit = static_cast<float>(cutoff.number(0.5));
+    // Many exporters mark solid surfaces: where no texel has a hole there is nothing to ask for at every ray.
+    const float least = leastAlpha(material);
+    material.alphaBlend = mode == "BLEND" && least < 1;
+    if (mode == "MASK" && least < limit) material.alphaCutoff = limit;
+}
+
+float MaterialReader::leastAlpha(const Material& material) const {
+    if (!material.reflectanceTexture.used()) return material.alpha;
+    const auto& texels = scene_.textures[static_cast<std::size_t>(material.reflectanceTexture.texture)].rgba;
+    std::uint8_t least = 255;
+    for (std::size_t i = 3; i < texels.size(); i += 4) least = std::min(least, texels[i]);
+    return material.alpha * static_cast<float>(least) / 255.0F;
+}
+
 void MaterialReader::checkUnusedTextures(const JsonView& json) {
     // Not used for light, yet a wrong type in them says that the file is broken.
     const std::size_t textures = document_.root()["textures"].size();
@@ -180,9 +208,6 @@ void MaterialReader::checkUnusedTextures(const JsonView& json) {
 }
 
 void MaterialReader::warnOfTheRest(const JsonView& json, const Material& material) {
-    const std::string alpha = json["alphaMode"].text("OPAQUE");
-    if (alpha != "OPAQUE" && material.kind != MaterialKind::ThinGlass)
-        warn(material, fmt::format("alphaMode {} is left out: the surface is taken as opaque", alpha));
     static constexpr std::array<std::string_view, 6> kRead{
         "KHR_materials_emissive_strength", "KHR_materials_ior",   "KHR_materials_specular",
         "KHR_materials_transmission",      "KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness"};

@@ -36,6 +36,8 @@ private:
     void readSpecularGlossiness(const JsonView& extension, MaterialUse& use, Material& material);
     void readSpecular(const JsonView& json, Material& material);
     void readTransmission(const JsonView& json, Material& material);
+    void readAlpha(const JsonView& json, Material& material);
+    [[nodiscard]] float leastAlpha(const Material& material) const;
     void checkUnusedTextures(const JsonView& json);
     void warnOfTheRest(const JsonView& json, const Material& material);
     TextureSlot readSlot(const JsonView& info, bool srgb, MaterialUse& use, const Material& material);

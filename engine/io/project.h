@@ -97,10 +97,12 @@ struct Project {
     std::string fileHash;                   ///< of project.toml itself
 };
 
-/// Reads a project.toml, or makes a project without grids of a bare scene (.glb, .gltf, .obj): its cameras
-/// become views; without one, a view from a corner of its bounds.
+/// Reads a project.toml, or makes a project without grids of a bare scene (.glb, .gltf, .obj, or Radiance's .rad and
+/// .mat, as many as are to be read together, in their order): its cameras become views; without one, a view from a
+/// corner of its bounds.
 ///
 /// errors  FileNotFound, Parse, Unsupported, InvalidArgument: "file:line: what was seen, what was expected"
 Result<Project> loadProject(const std::filesystem::path& path);
+Result<Project> loadProject(const std::vector<std::filesystem::path>& paths);
 
 }  // namespace luxdeck

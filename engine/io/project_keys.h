@@ -16,7 +16,9 @@ inline constexpr Key kRootKeys[] = {"schema",      "requirements_file", "project
 inline constexpr Key kInfoKeys[] = {"name", "client", "designer", "location", "date", "description", "notes"};
 inline constexpr Key kGeometryKeys[] = {"file", "unit", "up", "translate", "rotate_z_deg", "scale"};
 inline constexpr Key kMaterialKeys[] = {"name",     "kind",          "reflectance", "specular",       "roughness",
-                                        "metallic", "transmittance", "ior",         "emission_cd_m2", "source"};
+                                        "metallic", "transmittance", "ior",         "emission_cd_m2", "source",
+                                        "roughness_u", "roughness_v", "grain", "diffuse_transmittance",
+                                        "specular_transmittance", "transmittance_per_metre"};
 inline constexpr Key kLuminaireTypeKeys[] = {"id",    "file",               "description",         "lumens",
                                              "watts", "maintenance_factor", "colour_temperature_k"};
 inline constexpr Key kLuminaireKeys[] = {"type",    "name",    "position",           "aim",

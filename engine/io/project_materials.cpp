@@ -24,11 +24,18 @@ const std::vector<KindKeys>& kinds() {
         {"metal", MaterialKind::Metal, {"specular", "roughness"}},
         {"mirror", MaterialKind::Mirror, {"specular"}},
         {"glass", MaterialKind::ThinGlass, {"transmittance", "ior"}},
-        {"metallic-roughness", MaterialKind::MetallicRoughness, {"reflectance", "metallic", "roughness"}}};
+        {"metallic-roughness", MaterialKind::MetallicRoughness, {"reflectance", "metallic", "roughness"}},
+        {"ward", MaterialKind::Ward, {"reflectance", "specular", "roughness_u", "roughness_v", "grain"}},
+        {"trans",
+         MaterialKind::Ward,
+         {"reflectance", "specular", "diffuse_transmittance", "specular_transmittance", "roughness_u", "roughness_v", "grain"}},
+        {"dielectric", MaterialKind::Dielectric, {"ior", "transmittance_per_metre"}}};
     return kKinds;
 }
 
-constexpr Key kKindKeys[] = {"reflectance", "specular", "roughness", "metallic", "transmittance", "ior"};
+constexpr Key kKindKeys[] = {"reflectance",   "specular",    "roughness",   "metallic", "transmittance", "ior",
+                             "roughness_u",   "roughness_v", "grain",       "diffuse_transmittance",
+                             "specular_transmittance",       "transmittance_per_metre"};
 
 // A surface that returns all light makes a closed room's light infinite.
 constexpr NumberRange kReflectance{.low = 0, .high = 1, .highExcluded = true};
@@ -81,6 +88,23 @@ Rgb readTransmittance(const TomlTable& table, float ior) {
     return {std::min(colour.r, most), std::min(colour.g, most), std::min(colour.b, most)};
 }
 
+/// Ward surfaces: what they reflect and let through makes at most the whole; the widths are both zero or none.
+void readWard(const TomlTable& table, Material& m) {
+    if (!table.has("specular")) m.specular = Rgb(0.0F);
+    m.diffuseTransmittance = table.colour("diffuse_transmittance", kFraction, Rgb{});
+    m.specularTransmittance = table.colour("specular_transmittance", kFraction, Rgb{});
+    m.wardU = static_cast<float>(table.number("roughness_u", kFraction, 0));
+    m.wardV = static_cast<float>(table.number("roughness_v", kFraction, m.wardU));
+    m.grain = Vec3(table.vector("grain", Vec3d(0, 0, 0)));
+    if ((m.wardU == 0) != (m.wardV == 0))
+        table.error(ErrorCode::InvalidArgument, "roughness_v",
+                    fmt::format("roughness_u is {} and roughness_v {}, expected both 0 or none", m.wardU, m.wardV));
+    const Rgb sum = m.reflectance + m.specular + m.diffuseTransmittance + m.specularTransmittance;
+    if (sum.max() > 1 + 1e-5F)  // decimal fractions that sum to 1 may round above it
+        table.error(ErrorCode::InvalidArgument, "reflectance",
+                    fmt::format("what is reflected and let through sums to {}, expected at most 1", sum.max()));
+}
+
 std::vector<std::string> materialNames(const Scene& scene) {
     std::vector<std::string> names;
     for (const auto& material : scene.materials) names.push_back(material.name);
@@ -109,6 +133,9 @@ std::vector<MaterialSpec> readMaterials(const TomlTable& root) {
         m.metallic = static_cast<float>(table.number("metallic", kFraction, m.metallic));
         m.ior = static_cast<float>(table.number("ior", kIor, m.ior));
         if (table.has("transmittance")) m.transmittance = readTransmittance(table, m.ior);
+        if (m.kind == MaterialKind::Ward) readWard(table, m);
+        if (m.kind == MaterialKind::Dielectric)
+            m.transmittance = table.colour("transmittance_per_metre", kFraction, Rgb(1.0F));
         m.emission = table.colour("emission_cd_m2", kEmission, Rgb{});
         m.source = table.text("source", "");
         materials.push_back({std::move(m), table.where("name")});

@@ -3,6 +3,7 @@
 #include "engine/core/file.h"
 #include "engine/io/project_keys.h"
 #include "engine/io/project_sections.h"
+#include "engine/io/rad_reader.h"
 
 #include <fmt/format.h>
 
@@ -139,6 +140,13 @@ Box3d namedBounds(const ProjectSpec& spec) {
     return box;
 }
 
+std::string lowerExtension(const fs::path& path) {
+    auto extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
 Result<void> checkScene(Scene& scene, const std::string& where) {
     if (auto valid = validate(scene); !valid) return Error{valid.error().code, valid.error().text(), where};
     scene.hash = sceneHash(scene);
@@ -158,7 +166,9 @@ Result<Project> build(ProjectSpec spec, const fs::path& file) {
         if (const auto box = namedBounds(spec); !box.isEmpty()) scene.origin = chooseOrigin(box);
     if (auto replaced = replaceMaterials(scene, spec.materials); !replaced) return replaced.error();
     if (auto placed = placeLuminaires(scene, spec, std::move(*types)); !placed) return placed.error();
-    scene.sky = spec.sky;
+    std::swap(scene.sky, spec.sky);  // what the files say of sources stands in front of the project's sky
+    scene.sky.domes.insert(scene.sky.domes.end(), spec.sky.domes.begin(), spec.sky.domes.end());
+    scene.sky.suns.insert(scene.sky.suns.end(), spec.sky.suns.begin(), spec.sky.suns.end());
     if (auto checked = checkScene(scene, file.string()); !checked) return checked.error();
 
     project.info = std::move(spec.info);
@@ -185,20 +195,28 @@ Result<Project> loadProjectFile(const fs::path& file) {
     return project;
 }
 
-/// A model by itself: no grids, and a view to begin with.
-Result<Project> loadBareScene(const fs::path& file, bool obj) {
+/// The files of a model by themselves, read as one.
+Result<ScenePart> readBareFiles(const std::vector<fs::path>& files) {
     GeometryPlacement placement;
+    if (isRadianceFile(files.front())) return readRad(files, placement);
     placement.yUp = true;  // glTF always; OBJ as most programs write it
-    auto bytes = readFile(file);
-    if (!bytes) return bytes.error();
+    return readSceneFile(files.front(), placement);
+}
+
+/// A model by itself: no grids, and a view to begin with.
+Result<Project> loadBareScene(const std::vector<fs::path>& files) {
+    const auto& file = files.front();
     Project project;
-    project.fileHash = contentHash(*bytes);
-    bytes = std::string();  // a model may be large, and its reader opens it itself
-    auto part = readSceneFile(file, placement);
+    for (const auto& one : files) {  // read twice: a model may be large, and its reader opens it itself
+        const auto bytes = readFile(one);
+        if (!bytes) return bytes.error();
+        project.fileHash = contentHash(project.fileHash + *bytes);
+    }
+    auto part = readBareFiles(files);
     if (!part) return part.error();
     project.scene = std::move(part->scene);
     project.scene.name = project.info.name = file.stem().string();
-    if (obj)
+    if (lowerExtension(file) == ".obj")
         project.scene.warnings.push_back(fmt::format(
             "{}: an OBJ file says neither unit nor up axis: taken as metres, y up; [[geometry]] in a project.toml can say otherwise",
             file.string()));
@@ -213,30 +231,34 @@ Result<Project> loadBareScene(const fs::path& file, bool obj) {
     return project;
 }
 
-Result<Project> loadByExtension(const fs::path& path) {
-    auto extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (extension == ".toml") return loadProjectFile(path);
-    const bool obj = extension == ".obj";
-    if (obj || extension == ".glb" || extension == ".gltf") return loadBareScene(path, obj);
-    std::error_code ec;
-    if (!fs::exists(path, ec)) return Error{ErrorCode::FileNotFound, "no such file", path.string()};
-    return Error{ErrorCode::Unsupported, "expected a project (.toml) or a scene (.glb, .gltf, .obj)", path.string()};
+Result<Project> loadByExtension(const std::vector<fs::path>& files) {
+    for (const auto& file : files) {
+        const auto extension = lowerExtension(file);
+        const bool known = extension == ".toml" || extension == ".obj" || extension == ".glb" || extension == ".gltf" || isRadianceFile(file);
+        std::error_code ec;
+        if (!known && !fs::exists(file, ec)) return Error{ErrorCode::FileNotFound, "no such file", file.string()};
+        if (!known) return Error{ErrorCode::Unsupported, "expected a project (.toml) or a scene (.glb, .gltf, .obj, .rad, .mat)", file.string()};
+        if (files.size() > 1 && !isRadianceFile(file))
+            return Error{ErrorCode::InvalidArgument, fmt::format("is one of {} files, expected it alone: only Radiance's (.rad, .mat) are read together", files.size()), file.string()};
+    }
+    return lowerExtension(files.front()) == ".toml" ? loadProjectFile(files.front()) : loadBareScene(files);
 }
 
 }  // namespace
 
-Result<Project> loadProject(const fs::path& path) {
+Result<Project> loadProject(const std::vector<fs::path>& paths) {
+    if (paths.empty()) return Error{ErrorCode::InvalidArgument, "no file is named, expected a project or a scene", {}};
     try {
-        auto project = loadByExtension(path);
-        if (project) project->file = path;
+        auto project = loadByExtension(paths);
+        if (project) project->file = paths.front();
         return project;
     } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::OutOfResources, "too little memory to read it", path.string()};
+        return Error{ErrorCode::OutOfResources, "too little memory to read it", paths.front().string()};
     } catch (const std::exception& e) {
-        return Error{ErrorCode::Internal, e.what(), path.string()};
+        return Error{ErrorCode::Internal, e.what(), paths.front().string()};
     }
 }
+
+Result<Project> loadProject(const fs::path& path) { return loadProject(std::vector<fs::path>{path}); }
 
 }  // namespace luxdeck

@@ -1,11 +1,15 @@
 #include "engine/io/scene_files.h"
 
+#include "engine/core/primaries.h"
+#include "engine/io/rad_reader.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace luxdeck {
@@ -21,13 +25,28 @@ Vec3d chooseOrigin(const Box3d& bounds) {
     return {std::round(centre.x), std::round(centre.y), std::round(centre.z)};
 }
 
-Result<ScenePart> readSceneFile(const std::filesystem::path& path, const GeometryPlacement& placement) {
+namespace {
+
+std::string lowerExtension(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+}  // namespace
+
+bool isRadianceFile(const std::filesystem::path& path) {
+    const auto extension = lowerExtension(path);
+    return extension == ".rad" || extension == ".mat";
+}
+
+Result<ScenePart> readSceneFile(const std::filesystem::path& path, const GeometryPlacement& placement) {
+    const auto extension = lowerExtension(path);
     if (extension == ".gltf" || extension == ".glb") return readGltf(path, placement);
     if (extension == ".obj") return readObj(path, placement);
-    return Error{ErrorCode::Unsupported, fmt::format("geometry of type '{}', expected .gltf, .glb or .obj", extension),
+    if (isRadianceFile(path)) return readRad({path}, placement);
+    return Error{ErrorCode::Unsupported, fmt::format("geometry of type '{}', expected .gltf, .glb, .obj, .rad or .mat", extension),
                  path.string()};
 }
 
@@ -52,6 +71,10 @@ void adapt(Scene& part, const Scene& scene) {
         moveSlot(material.reflectanceTexture, firstTexture);
         moveSlot(material.metallicRoughnessTexture, firstTexture);
         moveSlot(material.emissionTexture, firstTexture);
+        for (auto* pattern : {&material.reflectancePattern, &material.emissionPattern, &material.mixPattern})
+            if (*pattern >= 0) *pattern += static_cast<std::int32_t>(scene.patterns.size());
+        material.mixFirst += static_cast<std::uint32_t>(scene.materials.size());
+        material.mixSecond += static_cast<std::uint32_t>(scene.materials.size());
     }
     const Vec3d by = part.origin - scene.origin;
     const bool moved = by != Vec3d(0, 0, 0);
@@ -67,15 +90,40 @@ void adapt(Scene& part, const Scene& scene) {
     }
 }
 
+/// Makes the part's colours those of the scene's working space. Reflectances that leave 0..1 are cut off there.
+void convertColours(Scene& part, const LuminanceWeights& to) {
+    const auto matrix = rgbToRgb(chromaticitiesOf(part.weights), chromaticitiesOf(to));
+    const auto convert = [&](Rgb& c, float most) {
+        c = transformed(c, matrix);
+        c = {std::clamp(c.r, 0.0F, most), std::clamp(c.g, 0.0F, most), std::clamp(c.b, 0.0F, most)};
+    };
+    constexpr float kUnlimited = std::numeric_limits<float>::max();
+    for (auto& m : part.materials) {
+        for (auto* c : {&m.reflectance, &m.specular, &m.transmittance, &m.diffuseTransmittance, &m.specularTransmittance}) convert(*c, 1);
+        convert(m.emission, kUnlimited);
+    }
+    for (auto& type : part.luminaireTypes) convert(type.colour, kUnlimited);
+    for (auto& dome : part.sky.domes) convert(dome.radiance, kUnlimited);
+    for (auto& sun : part.sky.suns) convert(sun.radiance, kUnlimited);
+    part.warnings.push_back(fmt::format("{}: its colours are of other primaries than the rest of the scene: converted, their luminance kept{}", part.name,
+                                        part.patterns.empty() ? "" : "; its patterns are not"));
+    part.weights = to;
+}
+
 }  // namespace
 
 void append(Scene& scene, ScenePart part) {
     if (scene.meshes.empty() && scene.luminaires.empty()) scene.origin = part.scene.origin;
+    if (scene.materials.empty()) scene.weights = part.scene.weights;
+    if (part.scene.weights != scene.weights) convertColours(part.scene, scene.weights);
     adapt(part.scene, scene);
     moveInto(scene.objects, part.scene.objects);
     moveInto(scene.meshes, part.scene.meshes);
     moveInto(scene.materials, part.scene.materials);
     moveInto(scene.textures, part.scene.textures);
+    moveInto(scene.patterns, part.scene.patterns);
+    moveInto(scene.sky.domes, part.scene.sky.domes);
+    moveInto(scene.sky.suns, part.scene.sky.suns);
     moveInto(scene.luminaireTypes, part.scene.luminaireTypes);
     moveInto(scene.luminaires, part.scene.luminaires);
     moveInto(scene.warnings, part.scene.warnings);

@@ -44,11 +44,15 @@ Result<ScenePart> readGltf(const std::filesystem::path& path, const GeometryPlac
 /// OBJ with its MTL.
 Result<ScenePart> readObj(const std::filesystem::path& path, const GeometryPlacement& placement);
 
-/// Either, by extension.
+/// Radiance: files read in their order as one (engine/io/rad_reader.h).
+bool isRadianceFile(const std::filesystem::path& path);
+
+/// glTF, OBJ or Radiance, by extension.
 Result<ScenePart> readSceneFile(const std::filesystem::path& path, const GeometryPlacement& placement);
 
-/// Appends a part's objects, meshes, materials, textures and luminaires, moving its indices and its origin.
-/// The first part's origin becomes the scene's.
+/// Appends a part's objects, meshes, materials, textures, patterns, luminaires, suns and domes of the sky, moving its
+/// indices and its origin. The first part's origin and luminance weights become the scene's; the colours of a part
+/// with other weights are converted, their luminance kept.
 void append(Scene& scene, ScenePart part);
 
 }  // namespace luxdeck

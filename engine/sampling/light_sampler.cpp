@@ -1,10 +1,14 @@
 #include "engine/sampling/light_sampler.h"
 
+#include "engine/scene/appearance.h"
+#include "engine/sampling/octahedral.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace luxdeck {
 
@@ -16,16 +20,6 @@ constexpr std::uint32_t kNoLight = 0xffffffffU;
 /// importance is wrong, and no weight grows beyond ten times its fair size.
 constexpr float kDefensive = 0.1F;
 
-Vec3 octahedralDirection(float u, float v) {
-    const float x = 2 * u - 1, y = 2 * v - 1;
-    Vec3 d{x, y, 1 - std::abs(x) - std::abs(y)};
-    if (d.z < 0) {
-        d.x = std::copysign(1 - std::abs(y), x);
-        d.y = std::copysign(1 - std::abs(x), y);
-    }
-    return d.normalized();
-}
-
 Vec3 triangleCross(const Mesh& mesh, std::uint32_t triangle) {
     const auto& [a, b, c] = mesh.triangles[triangle];
     return cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
@@ -34,7 +28,7 @@ Vec3 triangleCross(const Mesh& mesh, std::uint32_t triangle) {
 }  // namespace
 
 LightSampler::LightSampler(const Scene& scene, const SceneNeeds& needs)
-    : scene_(&scene), manyLights_(needs.manyLights || scene.luminaires.size() > kManyLights) {
+    : scene_(&scene), manyLights_(needs.manyLights) {
     addLuminaires(scene);
     if (needs.meshLights) addTriangles(scene);
     std::vector<double> powers;
@@ -45,7 +39,9 @@ LightSampler::LightSampler(const Scene& scene, const SceneNeeds& needs)
     for (std::size_t i = 0; i < lights_.size(); ++i) lights_[i].powerShare = static_cast<float>(powers[i] / sum);
     trianglesPowerShare_ = sum > 0 ? static_cast<float>(powers.back() / sum) : 0;
     powers_ = AliasTable(powers);
-    if (!manyLights_) fillRows();
+    manyLights_ = manyLights_ || lights_.size() + triangles_.size() > kManyLights;
+    if (manyLights_) growTree();
+    else fillRows();
 }
 
 void LightSampler::addLuminaires(const Scene& scene) {
@@ -77,8 +73,9 @@ void LightSampler::addTriangles(const Scene& scene) {
             triangleIndex_[m].push_back(static_cast<std::uint32_t>(triangles_.size()));
             const auto& [a, b, c] = mesh.triangles[t];
             triangles_.push_back({static_cast<std::uint32_t>(m), t, area,
-                                  (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0F});
-            powers.push_back(double{area} * luminance(material.emission, scene.weights));
+                                  (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0F,
+                                  area * meanEmission(scene, mesh, t)});
+            powers.push_back(triangles_.back().fluxCd);
             trianglesFlux_ += static_cast<float>(powers.back());
             for (const auto v : mesh.triangles[t]) box.extendBy(mesh.positions[v]);
         }
@@ -115,6 +112,37 @@ void LightSampler::fillRows() {
     }
 }
 
+TreeLight LightSampler::treeLight(const TriangleLight& light, std::uint32_t firstMap) const {
+    const auto& mesh = scene_->meshes[light.mesh];
+    Box3 box;
+    for (const auto v : mesh.triangles[light.triangle]) box.extendBy(mesh.positions[v]);
+    TreeLight out;
+    out.centre = box.center(), out.half = box.size() * 0.5F;
+    out.frame = Frame::about(triangleCross(mesh, light.triangle).normalized());
+    out.map = firstMap + (scene_->materials[mesh.material].oneSidedEmission ? 0U : 1U);
+    out.scale = light.fluxCd, out.power = trianglesPowerShare_ * light.fluxCd / trianglesFlux_;
+    return out;
+}
+
+/// The triangles' maps come after the types': a cosine to the front, and to both sides.
+void LightSampler::growTree() {
+    const auto firstMap = static_cast<std::uint32_t>(maps_.size() / (kMapSide * kMapSide));
+    for (const bool bothSides : {false, true})
+        for (int y = 0; y < kMapSide && !triangles_.empty(); ++y)
+            for (int x = 0; x < kMapSide; ++x) {
+                const float z = octahedralDirection((static_cast<float>(x) + 0.5F) / kMapSide, (static_cast<float>(y) + 0.5F) / kMapSide).z;
+                maps_.push_back(std::max(bothSides ? std::abs(z) : z, 0.0F));
+            }
+    std::vector<TreeLight> lights;
+    lights.reserve(lights_.size() + triangles_.size());
+    for (const auto& light : lights_) {
+        const auto box = light.opening.bounds();
+        lights.push_back({box.center(), box.size() * 0.5F, light.opening.frame, light.type, light.scale, light.powerShare});
+    }
+    for (const auto& triangle : triangles_) lights.push_back(treeLight(triangle, firstMap));
+    if (!lights.empty()) tree_ = LightTree(lights, std::exchange(maps_, {}));
+}
+
 float LightSampler::triangleImportance(const Receiver& at) const {
     if (triangles_.empty()) return 0;
     const float d2 = (at.position - trianglesCentre_).length2();
@@ -124,9 +152,8 @@ float LightSampler::triangleImportance(const Receiver& at) const {
 /// A light's importance is the intensity that its map has towards the receiver, times the cosine there (of the
 /// opening's highest point), over d^2. Written without branches, so that it is compiled to vector instructions.
 /// Entries beyond the triangles' repeat the sum of all.
-LightSampler::Weights LightSampler::weigh(const Receiver& at) const {
-    if (manyLights_) return {};
-    Weights sums;
+LightSampler::Sums LightSampler::sumsOfFew(const Receiver& at) const {
+    Sums sums;
     constexpr float kHalfSide = 0.5F * kMapSide, kLastTexel = kMapSide - 1;
     const auto& r = rows_;
     const Vec3 p = at.position, n = at.normal;
@@ -163,7 +190,14 @@ LightSampler::Weights LightSampler::weigh(const Receiver& at) const {
     return sums;
 }
 
-float LightSampler::importanceIn(const Weights& sums, std::uint32_t light) {
+LightSampler::Weights LightSampler::weigh(const Receiver& at) const {
+    Weights weights;
+    if (!manyLights_) weights.few = sumsOfFew(at);
+    else if (!tree_.empty() && tree_.size() <= kMostWeighed) weights.many = tree_.weighAll(at);
+    return weights;
+}
+
+float LightSampler::importanceIn(const Sums& sums, std::uint32_t light) {
     return light == 0 ? sums[0] : sums[light] - sums[light - 1];
 }
 
@@ -171,12 +205,17 @@ float LightSampler::mixed(float importance, float sum, float powerShare) const {
     return sum > 0 ? (1 - kDefensive) * importance / sum + kDefensive * powerShare : powerShare;
 }
 
-LightSampler::Choice LightSampler::choose(const Weights& sums, float& u) const {
-    const float sum = manyLights_ ? 0 : sums.back();
+LightSampler::Choice LightSampler::choose(const Receiver& at, const Sums& sums, float& u) const {
+    if (empty()) return {kNoLight, 0};
+    if (manyLights_) {
+        const auto draw = tree_.draw(at, u);
+        return {draw.light, draw.probability};
+    }
+    const float sum = sums.back();
     if (!(sum > 0) || u < kDefensive) {
         const auto draw = powers_.draw(sum > 0 ? u / kDefensive : u);
         u = draw.rest;
-        return {draw.index, manyLights_ ? draw.probability : mixed(importanceIn(sums, draw.index), sum, draw.probability)};
+        return {draw.index, mixed(importanceIn(sums, draw.index), sum, draw.probability)};
     }
     const float wanted = std::min((u - kDefensive) / (1 - kDefensive), 0x1.fffffep-1F) * sum;
     std::uint32_t light = 0;  // the first whose sum is above what is wanted, counted without branches
@@ -189,15 +228,16 @@ LightSampler::Choice LightSampler::choose(const Weights& sums, float& u) const {
 }
 
 float LightSampler::probability(const Receiver& at, std::uint32_t light) const {
-    if (manyLights_) return powers_.probability(light);
-    const Weights sums = weigh(at);
+    if (manyLights_) return tree_.probability(at, light);
+    const Sums sums = sumsOfFew(at);
     return mixed(importanceIn(sums, light), sums.back(), powerShare(light));
 }
 
 LightSampler::Weights LightSampler::weighThrough(const Receiver& at, const MirrorFrame& window) const {
     if (manyLights_) return {};
     constexpr float kHidden = 0.02F;  // the test looks at centres and rims alone, and may err
-    Weights sums = weigh(at);
+    Weights weights = weigh(at);
+    auto& sums = weights.few;
     const Vec3 normal = cross(window.u, window.v);
     const float height = dot(normal, window.centre - at.position);
     float before = 0, sum = 0;
@@ -216,15 +256,38 @@ LightSampler::Weights LightSampler::weighThrough(const Receiver& at, const Mirro
         sums[i] = sum += importance;
     }
     std::fill(sums.begin() + static_cast<std::ptrdiff_t>(lights_.size()), sums.end(), sum);
-    return sums;
+    return weights;
+}
+
+LightSample LightSampler::sample(const Receiver& at, float uSelect, Vec2 u) const {
+    const auto choice = choose(at, manyLights_ ? Sums{} : sumsOfFew(at), uSelect);
+    return choosePoint(at, choice, uSelect, u);
 }
 
 LightSample LightSampler::sample(const Receiver& at, const Weights& weights, float uSelect, Vec2 u) const {
-    if (empty()) return {};
-    const auto choice = choose(weights, uSelect);
+    if (weights.many.empty()) {
+        const auto choice = choose(at, weights.few, uSelect);
+        return choosePoint(at, choice, uSelect, u);
+    }
+    const auto draw = tree_.draw(weights.many, uSelect);
+    if (!(draw.probability > 0)) return {};  // two sums that rounding made equal
+    auto sample = choosePoint(at, {draw.light, draw.probability}, uSelect, u);
+    // Directions that meet this light know the tree's chances alone. Weights of two strategies may be made of any
+    // density that both agree upon.
+    if (sample.shared) sample.pdfSolidAngle *= tree_.probability(at, draw.light) / draw.probability;
+    return sample;
+}
+
+LightSample LightSampler::choosePoint(const Receiver& at, const Choice& choice, float uSelect, Vec2 u) const {
     if (choice.light == kNoLight) return {};
-    auto sample = choice.light < lights_.size() ? sampleLuminaire(lights_[choice.light], at, u)
-                                                : sampleTriangle(at, {uSelect, u.x});
+    LightSample sample;
+    if (choice.light < lights_.size()) {
+        sample = sampleLuminaire(lights_[choice.light], at, u);
+    } else if (manyLights_) {
+        sample = sampleTriangle(at, {choice.light - static_cast<std::uint32_t>(lights_.size()), 1, u.x}, u);
+    } else {
+        sample = sampleTriangle(at, trianglePowers_.draw(uSelect), u);
+    }
     sample.weight *= 1 / choice.probability;
     sample.pdfSolidAngle *= choice.probability;
     return sample;
@@ -263,8 +326,7 @@ LightSample LightSampler::sampleLuminaire(const Light& light, const Receiver& at
     return out;
 }
 
-LightSample LightSampler::sampleTriangle(const Receiver& at, Vec2 u) const {
-    const auto draw = trianglePowers_.draw(u.x);
+LightSample LightSampler::sampleTriangle(const Receiver& at, const AliasTable::Draw& draw, Vec2 u) const {
     const auto& light = triangles_[draw.index];
     const auto& mesh = scene_->meshes[light.mesh];
     const auto& material = scene_->materials[mesh.material];
@@ -283,14 +345,21 @@ LightSample LightSampler::sampleTriangle(const Receiver& at, Vec2 u) const {
     if (!(emitting > 0)) return {};
     out.shared = shared(at, light);
     out.pdfSolidAngle = draw.probability * d2 / (emitting * light.areaM2);
-    Rgb radiance = material.emission;
-    if (material.emissionTexture.used() && !mesh.uvs.empty()) {
-        const Vec2 uv = mesh.uvs[a] * (1 - root) + mesh.uvs[b] * wb + mesh.uvs[c] * wc;
-        radiance *= scene_->textures[static_cast<std::size_t>(material.emissionTexture.texture)].sample(
-            material.emissionTexture.apply(uv));
-    }
-    out.weight = radiance * (1 / out.pdfSolidAngle);
+    const Vec2 uv = mesh.uvs.empty() ? Vec2(0, 0) : mesh.uvs[a] * (1 - root) + mesh.uvs[b] * wb + mesh.uvs[c] * wc;
+    out.weight = triangleRadiance(light, position, uv, out) * (1 / out.pdfSolidAngle);
     return out;
+}
+
+/// What a point of a triangle emits towards the receiver, holes counted by the part that they leave.
+Rgb LightSampler::triangleRadiance(const TriangleLight& light, const Vec3& position, const Vec2& uv,
+                                   const LightSample& towards) const {
+    const auto& mesh = scene_->meshes[light.mesh];
+    const auto& material = scene_->materials[mesh.material];
+    if (!material.emissionTexture.used() && material.emissionPattern < 0 && !material.hasHoles()) return material.emission;
+    Vec3 normal = triangleCross(mesh, light.triangle).normalized();
+    if (dot(normal, towards.direction) > 0) normal = -normal;
+    const PatternPoint at{scene_->toUser(position), normal, towards.direction, double{towards.distance}, uv};
+    return emittedRadiance(*scene_, material, at) * coverage(*scene_, material, uv);
 }
 
 Rgb LightSampler::openingRadiance(std::uint32_t luminaire, const Vec3& leaving) const {
@@ -315,10 +384,12 @@ float LightSampler::pdfOpening(const Receiver& at, std::uint32_t luminaire, cons
 float LightSampler::pdfTriangle(const Receiver& at, std::uint32_t mesh, std::uint32_t triangle, float distance,
                                 float cosine) const {
     if (triangles_.empty() || !(cosine > 0)) return 0;
+    if (triangleIndex_[mesh].empty()) return 0;  // of a mixture: only directions find what its parts emit
     const auto index = triangleIndex_[mesh][triangle];
     if (!shared(at, triangles_[index])) return std::numeric_limits<float>::infinity();
-    return probability(at, static_cast<std::uint32_t>(lights_.size())) * trianglePowers_.probability(index) * distance *
-           distance / (cosine * triangles_[index].areaM2);
+    const auto lights = static_cast<std::uint32_t>(lights_.size());
+    const float chance = manyLights_ ? probability(at, lights + index) : probability(at, lights) * trianglePowers_.probability(index);
+    return chance * distance * distance / (cosine * triangles_[index].areaM2);
 }
 
 }  // namespace luxdeck

@@ -2,6 +2,8 @@
 
 #include "engine/core/vec.h"
 #include "engine/sampling/alias_table.h"
+#include "engine/sampling/light_tree.h"
+#include "engine/sampling/receiver.h"
 #include "engine/scene/needs.h"
 #include "engine/scene/opening.h"
 #include "engine/scene/scene.h"
@@ -30,13 +32,6 @@ struct LightSample {
     [[nodiscard]] bool lit() const { return !weight.isBlack(); }
 };
 
-/// Where light is asked for. `normal` is zero for a sensor that looks all around.
-struct Receiver {
-    Vec3 position{0, 0, 0};
-    Vec3 normal{0, 0, 0};
-    bool glossy = false;       // scatters into narrow lobes, which find lights better than choosing them
-};
-
 /// A rectangle that light must pass on its way.
 struct MirrorFrame {
     Vec3 centre{0, 0, 0};
@@ -45,8 +40,8 @@ struct MirrorFrame {
 };
 
 /// Chooses points on luminaires and emitting surfaces. With few luminaires each is weighed at the receiver
-/// by its intensity towards it, 1/d^2 and the cosine; with many they are drawn by flux. The sky is left to
-/// the receivers' own directions.
+/// by its intensity towards it, 1/d^2 and the cosine; with many a tree over luminaires and emitting
+/// triangles chooses. The sky is left to the receivers' own directions.
 ///
 /// A light that is small as seen from a matte receiver is left to next-event estimation alone: weighing in
 /// directions that rarely meet it would only add noise. Near or glossy, both strategies share it.
@@ -56,9 +51,13 @@ public:
 
     [[nodiscard]] bool empty() const { return lights_.empty() && triangles_.empty(); }
 
-    /// How much each light matters at a receiver: sums of importances up to each, the triangles last. Nothing
-    /// where there are too many lights to weigh.
-    using Weights = std::array<float, kManyLights + 1>;
+    /// How much each light matters at a receiver, weighed once for thousands of samples at one place. One by one up
+    /// to kMostWeighed lights; beyond, the tree is asked for every sample.
+    struct Weights {
+        std::array<float, kManyLights + 1> few{};  // sums of importances up to each, the triangles last
+        std::vector<float> many;                   // sums of chances in the tree's order; empty: descend
+    };
+    static constexpr std::size_t kMostWeighed = 16384;
     [[nodiscard]] Weights weigh(const Receiver& at) const;
 
     /// The same where light comes through a window, as by way of a mirror behind which the receiver stands: lights
@@ -66,8 +65,8 @@ public:
     [[nodiscard]] Weights weighThrough(const Receiver& at, const MirrorFrame& window) const;
 
     /// uSelect chooses the light, u the point on it.
-    [[nodiscard]] LightSample sample(const Receiver& at, float uSelect, Vec2 u) const { return sample(at, weigh(at), uSelect, u); }
-    /// The same for a receiver that was weighed before: a sensor is asked thousands of times at one place.
+    [[nodiscard]] LightSample sample(const Receiver& at, float uSelect, Vec2 u) const;
+    /// The same for a receiver that was weighed before.
     [[nodiscard]] LightSample sample(const Receiver& at, const Weights& weights, float uSelect, Vec2 u) const;
 
     /// Radiance that an opening gives into a unit direction leaving it [cd/m^2].
@@ -95,6 +94,7 @@ private:
         std::uint32_t mesh, triangle;
         float areaM2;
         Vec3 centroid;
+        float fluxCd;                 // luminance * area
     };
     /// What weighing a light takes, a row for each number: weighing all lights at every vertex of every path is
     /// the dearest thing beside the rays, and in rows the compiler does several at once.
@@ -106,10 +106,11 @@ private:
         Row scale{};                       // of the table; 0 beyond the last light
         std::array<int, kManyLights> map{};  // where the light's importance map begins in maps_
     };
-    static constexpr int kMapSide = 32;
+    static constexpr int kMapSide = LightTree::kMapSide;
 
+    using Sums = std::array<float, kManyLights + 1>;
     struct Choice {
-        std::uint32_t light;  // lights_.size() = the triangles
+        std::uint32_t light;  // from lights_.size() on the triangles: all as one, with the tree each
         float probability;
     };
 
@@ -117,18 +118,24 @@ private:
     void addTriangles(const Scene& scene);
     void addImportanceMap(const CandelaTable& table);
     void fillRows();
+    void growTree();
+    [[nodiscard]] TreeLight treeLight(const TriangleLight& light, std::uint32_t firstMap) const;
     [[nodiscard]] float triangleImportance(const Receiver& at) const;
     [[nodiscard]] float powerShare(std::uint32_t light) const {
         return light < lights_.size() ? lights_[light].powerShare : trianglesPowerShare_;
     }
-    [[nodiscard]] static float importanceIn(const Weights& sums, std::uint32_t light);
+    [[nodiscard]] static float importanceIn(const Sums& sums, std::uint32_t light);
     [[nodiscard]] float mixed(float importance, float sum, float powerShare) const;
-    [[nodiscard]] Choice choose(const Weights& sums, float& u) const;
+    [[nodiscard]] Choice choose(const Receiver& at, const Sums& sums, float& u) const;
+    [[nodiscard]] Sums sumsOfFew(const Receiver& at) const;
+    [[nodiscard]] LightSample choosePoint(const Receiver& at, const Choice& choice, float uSelect, Vec2 u) const;
     [[nodiscard]] float probability(const Receiver& at, std::uint32_t light) const;
     [[nodiscard]] static bool shared(const Receiver& at, const Light& light);
     [[nodiscard]] static bool shared(const Receiver& at, const TriangleLight& light);
     [[nodiscard]] LightSample sampleLuminaire(const Light& light, const Receiver& at, Vec2 u) const;
-    [[nodiscard]] LightSample sampleTriangle(const Receiver& at, Vec2 u) const;
+    [[nodiscard]] LightSample sampleTriangle(const Receiver& at, const AliasTable::Draw& draw, Vec2 u) const;
+    [[nodiscard]] Rgb triangleRadiance(const TriangleLight& light, const Vec3& position, const Vec2& uv,
+                                       const LightSample& towards) const;
 
     const Scene* scene_;
     bool manyLights_;
@@ -138,6 +145,7 @@ private:
     /// after the other. They decide only how often a light is asked.
     std::vector<float> maps_;
     WeighingRows rows_;
+    LightTree tree_;                               // over lights_, then triangles_; empty where there are few
     AliasTable powers_;                            // of lights_, then the triangles as one
     std::vector<TriangleLight> triangles_;
     std::vector<std::vector<std::uint32_t>> triangleIndex_;  // by mesh and triangle: index into triangles_

@@ -53,8 +53,8 @@ SceneNeeds SceneNeeds::of(const Scene& scene) {
     SceneNeeds needs{false, false, false, false, false, false, false, false, false, false, false, false, false, false, false};
     addMaterialNeeds(needs, scene);
     needs.colour |= needs.textures || needs.patterns;  // taken to be coloured without looking at each value
-    needs.sky = scene.sky.present();
-    needs.colour |= needs.sky && !scene.sky.colour.isGrey();
+    needs.sky = scene.sky.present() || !scene.sky.suns.empty();
+    needs.colour |= needs.sky && scene.sky.coloured();
     for (const auto& l : scene.luminaires) {
         const auto& type = scene.luminaireTypes[l.type];
         needs.luminaireSurfaces |= type.photometry.opening.shape != OpeningShape::Point;

@@ -221,7 +221,8 @@ std::string sceneHash(const Scene& scene) {
     for (const auto& l : scene.luminaires) {
         in.add(l.type), in.add(l.position), in.add(l.frame), in.add(l.outputScale());
     }
-    in.add(scene.sky.kind), in.add(scene.sky.zenithCdM2), in.add(scene.sky.groundReflectance), in.add(scene.sky.colour);
+    const auto sky = scene.sky.identity();
+    in.addAll(std::vector<char>(sky.begin(), sky.end()));
     in.add(scene.weights);
     return in.hash();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/sampling/sky_sampler.h"
 #include "engine/transport/radiance_estimator.h"
 
 #include <memory>
@@ -18,7 +19,7 @@ public:
     [[nodiscard]] const SceneNeeds& needs() const { return *needs_; }
     [[nodiscard]] const Raycaster& raycaster() const { return *raycaster_; }
     [[nodiscard]] const LightSampler& lights() const { return *lights_; }
-    [[nodiscard]] TransportScene transport() const { return {*scene_, *needs_, *raycaster_, *lights_, *mirrors_}; }
+    [[nodiscard]] TransportScene transport() const { return {*scene_, *needs_, *raycaster_, *lights_, *mirrors_, sky_.get()}; }
 
 private:
     const Scene* scene_ = nullptr;
@@ -26,6 +27,7 @@ private:
     std::unique_ptr<Raycaster> raycaster_;
     std::unique_ptr<LightSampler> lights_;
     std::unique_ptr<Mirrors> mirrors_;
+    std::unique_ptr<SkySampler> sky_;  // null: nothing to sample
 };
 
 }  // namespace luxdeck

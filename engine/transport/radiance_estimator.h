@@ -18,6 +18,8 @@
 
 namespace luxdeck {
 
+class SkySampler;
+
 /// One ray to find the radiance along.
 struct RadianceQuery {
     Ray ray;
@@ -125,6 +127,7 @@ struct TransportScene {
     const Raycaster& raycaster;
     const LightSampler& lights;
     const Mirrors& mirrors;
+    const SkySampler* sky = nullptr;  // none: no sky, or it is left to the receivers' own directions
 };
 
 /// Settings of the algorithms; each reads those that its card names.

@@ -1,5 +1,7 @@
 #include "tests/support/scenes.h"
 
+#include "engine/transport/sky_visibility.h"
+
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -201,11 +203,15 @@ Scene richRoom() {
 Lit::Lit(Scene s, bool bruteForce) : scene(std::move(s)), needs(SceneNeeds::of(scene)) {
     raycaster = bruteForce ? makeBruteForceRaycaster(scene) : must(makeEmbreeRaycaster(scene));
     lights = std::make_unique<LightSampler>(scene, needs);
+    mirrors = std::make_unique<Mirrors>(scene, needs);
+    sky = makeSkySampler(scene, needs, *raycaster);
 }
 
 Lit::Lit(Scene s, SceneNeeds forced) : scene(std::move(s)), needs(forced) {
     raycaster = must(makeEmbreeRaycaster(scene));
     lights = std::make_unique<LightSampler>(scene, needs);
+    mirrors = std::make_unique<Mirrors>(scene, needs);
+    sky = makeSkySampler(scene, needs, *raycaster);
 }
 
 std::unique_ptr<RadianceEstimator> Lit::estimator(const std::string& algorithm, const AlgorithmSettings& settings) const {

@@ -2,6 +2,7 @@
 
 #include "engine/raycast/raycaster.h"
 #include "engine/sampling/light_sampler.h"
+#include "engine/sampling/sky_sampler.h"
 #include "engine/scene/needs.h"
 #include "engine/scene/scene.h"
 #include "engine/transport/radiance_estimator.h"
@@ -63,8 +64,10 @@ struct Lit {
     SceneNeeds needs;
     std::unique_ptr<Raycaster> raycaster;
     std::unique_ptr<LightSampler> lights;
+    std::unique_ptr<Mirrors> mirrors;
+    std::unique_ptr<SkySampler> sky;
 
-    [[nodiscard]] TransportScene transport() const { return {scene, needs, *raycaster, *lights, mirrors}; }
+    [[nodiscard]] TransportScene transport() const { return {scene, needs, *raycaster, *lights, *mirrors, sky.get()}; }
     [[nodiscard]] std::unique_ptr<RadianceEstimator> estimator(const std::string& algorithm,
                                                                const AlgorithmSettings& settings = {}) const;
 };

@@ -4,6 +4,7 @@
 #include "engine/transport/sensor/sensor_weight.h"
 #include "engine/transport/sensor/shared_light.h"
 #include "engine/transport/tracer/mirrored_light.h"
+#include "engine/transport/tracer/light_choice.h"
 #include "engine/transport/tracer/shadow.h"
 
 #include <algorithm>
@@ -23,43 +24,69 @@ public:
         rays_.reserve(count), contributions_.reserve(count);
     }
 
-    /// perPath lights for a sensor, each counting for its part.
-    void chooseAll(std::uint32_t index, const SensorQuery& query, const Receiver& at, SamplePath& numbers) {
-        if (perPath_ == 1) return choose(index, query, at, numbers);
-        for (int i = 0; i < perPath_; ++i) {
-            auto finer = numbers.finer(static_cast<std::uint32_t>(perPath_), static_cast<std::uint32_t>(i));
-            choose(index, query, at, finer);
+    /// Lights for a sensor, each counting for its part, and one by way of a mirror or pane.
+    void look(std::uint32_t index, const SensorQuery& query, const Receiver& at, bool byMirrors, SamplePath& numbers) {
+        const auto& place = placeOf(at, byMirrors);
+        if (perPath_ == 1) {
+            choose(index, query, place, numbers);
+        } else {
+            for (int i = 0; i < perPath_; ++i) {
+                auto finer = numbers.finer(static_cast<std::uint32_t>(perPath_), static_cast<std::uint32_t>(i));
+                choose(index, query, place, finer);
+            }
         }
+        if (byMirrors) chooseByMirror(index, query, place, numbers);
+    }
+
+    void trace(std::span<SensorSample> samples, std::vector<SourceShare>* shares, TransportCounters& counters) {
+        traceLights(samples, shares, counters);
+        traceMirrored(samples, shares, counters);
     }
 
 private:
+    /// A place where lights were weighed. A batch asks thousands of times at one, or at the few of a group in turn.
+    struct Place {
+        Receiver at;
+        LightSampler::Weights weights;
+        std::optional<MirrorTable> mirrors;
+    };
 
-    void choose(std::uint32_t index, const SensorQuery& query, const Receiver& at, SamplePath& numbers) {
-        if (!weighed_ || at.position != weighedAt_.position || at.normal != weighedAt_.normal) {
-            weights_ = scene_.lights.weigh(at);
-            weighedAt_ = at, weighed_ = true;
-        }
+    static constexpr std::size_t kMostPlaces = 64;  // more are not a group asked in turn: remembering is in vain
+
+    const Place& placeOf(const Receiver& at, bool byMirrors) {
+        for (std::size_t tried = 0; tried < places_.size(); ++tried, last_ = (last_ + 1) % places_.size())
+            if (places_[last_].at.position == at.position && places_[last_].at.normal == at.normal) {
+                const auto& place = places_[last_];
+                last_ = (last_ + 1) % places_.size();  // the next of the group comes next
+                return place;
+            }
+        Place place{at, scene_.lights.weigh(at), std::nullopt};
+        if (byMirrors) place.mirrors.emplace(scene_, at);
+        last_ = 0;
+        if (places_.size() >= kMostPlaces) places_.clear();
+        return places_.emplace_back(std::move(place));
+    }
+
+
+    void choose(std::uint32_t index, const SensorQuery& query, const Place& place, SamplePath& numbers) {
         const float uSelect = numbers.next1D();
-        const auto light = scene_.lights.sample(at, weights_, uSelect, numbers.next2D());
+        const auto light = chooseLight(scene_, place.at, place.weights, uSelect, numbers.next2D());
         if (!light.lit()) return;
         const float weight = sensorWeight(query.kind, dot(light.direction, query.normal));
         if (!(weight > 0)) return;
         Rgb contribution = light.weight * (weight / static_cast<float>(perPath_));
         if (light.shared) contribution *= light.pdfSolidAngle / (light.pdfSolidAngle + weight / kPi);
         contributions_.push_back({contribution, index, light.source});
-        rays_.push_back({at.position, 0, light.direction, light.distance * (1 - kShadowShortening)});
+        rays_.push_back({place.at.position, 0, light.direction, light.distance * (1 - kShadowShortening)});
     }
 
-public:
-    /// One light by way of a mirror or pane.
-    void chooseByMirror(std::uint32_t index, const SensorQuery& query, const Receiver& at, SamplePath& numbers) {
-        if (!table_ || at.position != tableAt_.position || at.normal != tableAt_.normal) table_.emplace(scene_, at), tableAt_ = at;
+    void chooseByMirror(std::uint32_t index, const SensorQuery& query, const Place& place, SamplePath& numbers) {
         float u = numbers.next1D();
-        const auto choice = table_->choose(u);
-        const auto path = aimByMirror(scene_, at, choice.mirror, *choice.weights, u, numbers.next2D());
+        const auto choice = place.mirrors->choose(u);
+        const auto path = aimByMirror(scene_, place.at, choice.mirror, *choice.weights, u, numbers.next2D());
         if (!path) return;
         const float weight = sensorWeight(query.kind, dot(path->direction, query.normal));
-        if (weight > 0) mirrored_.push_back({*path, path->light.weight * (weight / choice.probability), at.position, index});
+        if (weight > 0) mirrored_.push_back({*path, path->light.weight * (weight / choice.probability), place.at.position, index});
     }
 
     void traceMirrored(std::span<SensorSample> samples, std::vector<SourceShare>* shares, TransportCounters& counters) {
@@ -70,7 +97,7 @@ public:
         }
     }
 
-    void trace(std::span<SensorSample> samples, std::vector<SourceShare>* shares, TransportCounters& counters) {
+    void traceLights(std::span<SensorSample> samples, std::vector<SourceShare>* shares, TransportCounters& counters) {
         shadowed_.resize(rays_.size());
         scene_.raycaster.occluded(rays_, shadowed_, Targets::Opaque);
         counters.rays += rays_.size();
@@ -83,7 +110,6 @@ public:
         }
     }
 
-private:
     struct Contribution {
         Rgb light;
         std::uint32_t index;
@@ -98,14 +124,11 @@ private:
     const TransportScene& scene_;
     int perPath_;
     std::vector<Mirrored> mirrored_;
-    std::optional<MirrorTable> table_;  // of tableAt_
-    Receiver tableAt_;
+    std::vector<Place> places_;
+    std::size_t last_ = 0;  // where in places_ the next query probably is
     std::vector<Ray> rays_;
     std::vector<Contribution> contributions_;
     std::vector<std::uint8_t> shadowed_;
-    LightSampler::Weights weights_;  // of the lights at weighedAt_: a batch asks mostly at one place
-    Receiver weighedAt_;
-    bool weighed_ = false;
 };
 
 RadianceQuery directionQuery(const SensorQuery& query, const Receiver& at, const SamplePath& numbers, Vec2 u) {
@@ -139,23 +162,21 @@ TransportCounters gatherIlluminance(const TransportScene& scene, const TracerSet
         }
         const auto at = receiverOf(queries[i]);
         auto numbers = queries[i].numbers;
-        lights.chooseAll(i, queries[i], at, numbers);
-        if (byMirrors) lights.chooseByMirror(i, queries[i], at, numbers);
+        lights.look(i, queries[i], at, byMirrors, numbers);
         const Vec2 u = numbers.next2D();
         directions[i] = directionQuery(queries[i], at, numbers, u);
     }
     auto* shares = settings.shares;
     lights.trace(samples, shares, counters);
-    if (byMirrors) lights.traceMirrored(samples, shares, counters);
     const std::size_t firstOfPaths = shares != nullptr ? shares->size() : 0;
     auto tracer = settings;
-    std::vector<MattePoint> points(sensors.share ? queries.size() : 0);
-    tracer.mattePoints = points;
+    std::vector<FirstBounce> bounces(sensors.share ? queries.size() : 0);
+    tracer.bounces = bounces;
     counters += tracePaths(scene, tracer, directions, radiances);
     if (sensors.share) {
         std::vector<Rgb> reflected(queries.size());
         for (std::size_t i = 0; i < queries.size(); ++i) reflected[i] = radiances[i].direct + radiances[i].indirect;
-        shareReflectedLight(scene, queries, points, reflected, samples, counters);
+        shareReflectedLight(scene, queries, bounces, reflected, samples, counters);
     }
     for (std::size_t i = firstOfPaths; shares != nullptr && i < shares->size(); ++i) (*shares)[i].light *= kPi;
     for (std::size_t i = 0; i < queries.size(); ++i) {

@@ -7,19 +7,21 @@
 
 namespace luxdeck {
 
-/// What a group of sensors makes of each other's paths. A path from sensor j met the matte surface at y and found
-/// the radiance B that leaves y: every sensor of the group that sees y receives it too. Sensor i weighs it by
-/// the balance heuristic over the group (Veach & Guibas 1995), one path for each sensor k that sees y:
+/// What a group of sensors makes of each other's paths. A path from sensor j was first scattered at y, which sends
+/// the radiance B to sensor j, of which the diffuse part differs to other sensors by a known factor of the angle
+/// alone: every sensor of the group that sees y straight receives it too. Sensor i weighs it by the balance
+/// heuristic over the group (Veach & Guibas 1995), with one path for each sensor k that sees y:
 ///
-///     pi B w_i / d_i^2  /  sum_k (w_k / d_k^2)          w: sensor's weight of the direction, d: distance to y
+///     pi B (g_i / g_j) w_i / d_i^2  /  sum_k (w_k / d_k^2)
 ///
-/// (the cosine at y cancels). The term is at most pi B, what sensor i's own path would count: variance only falls.
+/// w: sensor's weight of the direction, d: its distance to y, g: factor of the angle (the cosine at y cancels).
+/// The term is at most what sensor i's own path would count there.
 ///
 /// queries    #Q, groups consecutive
-/// points     #Q, what each path met; those not met are left to their own sensor
-/// reflected  #Q, radiance B of each path
-/// samples    #Q, whose indirect is set
-void shareReflectedLight(const TransportScene& scene, std::span<const SensorQuery> queries, std::span<const MattePoint> points,
+/// bounces    #Q; what was not met straight, and what is not diffuse, is left to the path's own sensor
+/// reflected  #Q, all reflected radiance of each path
+/// samples    #Q, to whose indirect is added
+void shareReflectedLight(const TransportScene& scene, std::span<const SensorQuery> queries, std::span<const FirstBounce> bounces,
                          std::span<const Rgb> reflected, std::span<SensorSample> samples, TransportCounters& counters);
 
 }  // namespace luxdeck

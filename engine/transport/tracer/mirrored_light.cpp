@@ -62,7 +62,7 @@ MirrorTable::MirrorTable(const TransportScene& scene, const Receiver& at) {
     float sum = 0;
     for (const auto& mirror : mirrors) {
         weights_.push_back(scene.lights.weighThrough(mirror.mirrored(at), mirror.frame));
-        chances_.push_back(std::max(weights_.back().back(), 0.0F));
+        chances_.push_back(std::max(weights_.back().few.back(), 0.0F));
         sum += chances_.back();
     }
     const float even = 1.0F / static_cast<float>(mirrors.size());

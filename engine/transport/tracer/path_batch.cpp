@@ -4,6 +4,7 @@
 #include "engine/transport/surface/bsdf.h"
 #include "engine/transport/surface/straight.h"
 #include "engine/transport/surface/surface_point.h"
+#include "engine/transport/tracer/light_choice.h"
 #include "engine/transport/tracer/shadow.h"
 
 #include <algorithm>
@@ -197,8 +198,9 @@ void PathBatch<S>::recordVirtual(Path& path, float distance, bool specular) {
 template <Spectrum S>
 void PathBatch<S>::seeSky(Path& path) {
     path.ended = true;
-    if (scene_.needs.sky)  // no other strategy samples it: full weight
-        add(path.query, path.reflections, kFromSky, throughputAfter(path, kInfinity) * fromRgb<S>(scene_.scene.sky.radiance(path.ray.direction)));
+    if (!scene_.needs.sky) return;
+    const Rgb radiance = skyRadiance(scene_, path.from, path.ray.direction, path.pdfSolidAngle);
+    add(path, kFromSky, throughputAfter(path, kInfinity) * fromRgb<S>(radiance));
 }
 
 template <Spectrum S>
@@ -211,10 +213,10 @@ void PathBatch<S>::seeOpening(const Path& path, const Hit& hit) {
     if (!met || (!opening.flat() && (dot(met->normal, path.ray.direction) >= 0 || met->distance < 0.999F * hit.distance)))
         return;
     const float pdf = path.pdfSolidAngle > 0
-                          ? scene_.lights.pdfOpening(path.from, hit.luminaire, path.ray.direction)
+                          ? lampChance(scene_, path.from) * scene_.lights.pdfOpening(path.from, hit.luminaire, path.ray.direction)
                           : 0;
     const S radiance = fromRgb<S>(scene_.lights.openingRadiance(hit.luminaire, -path.ray.direction));
-    add(path.query, path.reflections, hit.luminaire, throughputAfter(path, hit.distance) * radiance * weightOfDirection(path, pdf));
+    add(path, hit.luminaire, throughputAfter(path, hit.distance) * radiance * weightOfDirection(path, pdf));
 }
 
 template <Spectrum S>
@@ -226,9 +228,9 @@ void PathBatch<S>::seeSurface(const Path& path, const Hit& hit, const SurfacePoi
     const float distance = (point.position - path.from.position).length();
     if (path.mirror != kNoMirror && foundByMirror(scene_, path.from, path.mirror, hit, cosine, distance)) return;
     const float pdf = path.pdfSolidAngle > 0
-                          ? scene_.lights.pdfTriangle(path.from, hit.mesh, hit.triangle, distance, cosine)
+                          ? lampChance(scene_, path.from) * scene_.lights.pdfTriangle(path.from, hit.mesh, hit.triangle, distance, cosine)
                           : 0;
-    add(path.query, path.reflections, kFromSurfaces, path.throughput * fromRgb<S>(emitted) * weightOfDirection(path, pdf));
+    add(path, kFromSurfaces, path.throughput * fromRgb<S>(emitted) * weightOfDirection(path, pdf));
 }
 
 template <Spectrum S>
@@ -272,6 +274,12 @@ void PathBatch<S>::scatterBoundary(Path& path, const SurfacePoint& point, const 
     else if (!media.enter(*point.material)) truncate(path);
 }
 
+/// No pattern, which may change with the direction, decides what the surface is.
+template <Spectrum S>
+bool PathBatch<S>::looksAlike(const Hit& hit, const SurfacePoint& point) const {
+    return !scene_.needs.patterns || (point.material->reflectancePattern < 0 && point.material == &scene_.scene.materials[scene_.scene.meshes[hit.mesh].material]);
+}
+
 template <Spectrum S>
 template <class B>
 void PathBatch<S>::scatterRough(Path& path, const Hit& hit, const SurfacePoint& point, const B& bsdf, bool last) {
@@ -280,10 +288,10 @@ void PathBatch<S>::scatterRough(Path& path, const Hit& hit, const SurfacePoint& 
     // Light from behind must not be weighed away where it is scattered through.
     const Receiver here{point.departure(point.geometricNormal), bsdf.transmits() ? Vec3(0, 0, 0) : point.shadingNormal,
                         point.material->kind != MaterialKind::Matte};
-    if (path.vertices == 0 && !settings_.mattePoints.empty() && point.material->kind == MaterialKind::Matte)
-        settings_.mattePoints[path.query] = {true, here.position, point.geometricNormal, point.shadingNormal};
+    if (atFirstBounce(path) && looksAlike(hit, point) && (!scene_.needs.dielectrics || media_[path.query].inAir()))
+        settings_.bounces[path.query] = {true, here.position, point.geometricNormal, point.shadingNormal, hit, bsdf.coated(), {}};
     if (!last && !settings_.ambientRadiance.isBlack())
-        add(path.query, 2, kFromAmbient, path.throughput * bsdf.albedo(wo.z) * fromRgb<S>(settings_.ambientRadiance));
+        add(path.query, 2, kFromAmbient, path.throughput * bsdf.albedo(wo.z) * fromRgb<S>(settings_.ambientRadiance), S(0.0F));
     if (!last) connectLight(path, here, point, frame, wo, bsdf);
     if (!last && path.reflections + 1 < settings_.maxReflections && !scene_.mirrors.empty())
         connectByMirror(path, here, point, frame, wo, bsdf);
@@ -304,13 +312,14 @@ void PathBatch<S>::connectByMirror(Path& path, const Receiver& here, const Surfa
     if (!found || dot(found->direction, point.geometricNormal) <= 0) return;
     const auto value = bsdf.evaluate(wo, frame.toLocal(found->direction));
     const S contribution = path.throughput * value.cosineWeighted * fromRgb<S>(found->light.weight) * (1 / (kMirrorShare * choice.probability));
-    if (!contribution.isBlack()) mirrored_.push_back({*found, contribution, here.position, path.query, path.reflections + 2});
+    if (!contribution.isBlack()) mirrored_.push_back({*found, contribution, here.position, path.query, path.reflections + 2,
+                                                       atFirstBounce(path) ? partOf(value.diffuse, value.cosineWeighted) : path.diffuse});
 }
 
 template <Spectrum S>
 void PathBatch<S>::traceMirrored() {
     for (const auto& m : mirrored_)
-        add(m.query, m.reflections, m.path.light.source, m.contribution * fromRgb<S>(throughputByMirror(scene_, m.origin, m.path, counters_)));
+        add(m.query, m.reflections, m.path.light.source, m.contribution * fromRgb<S>(throughputByMirror(scene_, m.origin, m.path, counters_)), m.diffuse);
     mirrored_.clear();
 }
 
@@ -319,7 +328,7 @@ template <class B>
 void PathBatch<S>::connectLight(Path& path, const Receiver& here, const SurfacePoint& point, const Frame& frame,
                                 const Vec3& wo, const B& bsdf) {
     const float uSelect = path.numbers.next1D();
-    const auto light = scene_.lights.sample(here, uSelect, path.numbers.next2D());
+    const auto light = chooseLight(scene_, here, uSelect, path.numbers.next2D());
     if (!light.lit()) return;
     const float height = dot(light.direction, point.geometricNormal);
     if (height <= 0 && !bsdf.transmits()) return;
@@ -329,7 +338,8 @@ void PathBatch<S>::connectLight(Path& path, const Receiver& here, const SurfaceP
     S contribution = throughputAfter(path, light.distance) * value.cosineWeighted * fromRgb<S>(light.weight);
     if (light.shared) contribution *= light.pdfSolidAngle / (light.pdfSolidAngle + value.pdf);
     if (contribution.isBlack()) return;
-    shadows_.push_back({contribution, path.query, path.reflections + 1, light.source});
+    shadows_.push_back({contribution, path.query, path.reflections + 1, light.source,
+                        atFirstBounce(path) ? partOf(value.diffuse, value.cosineWeighted) : path.diffuse});
     const Vec3 origin = height > 0 ? here.position : point.departure(light.direction);
     shadowRays_.push_back({origin, 0, light.direction, light.distance * (1 - kShadowShortening)});
 }
@@ -342,6 +352,7 @@ void PathBatch<S>::scatter(Path& path, const Receiver& here, const SurfacePoint&
     const auto next = bsdf.sample(wo, uLobe, path.numbers.next2D());
     const Vec3 direction = frame.toWorld(next.wi);
     path.throughput *= next.weight;
+    if (atFirstBounce(path)) path.diffuse = partOf(next.diffuse, next.weight);
     path.ended = next.absorbed || path.throughput.isBlack();
     if (next.passedThrough) return goStraightOn(path, point);  // as through a pane
     const float height = dot(direction, point.geometricNormal);
@@ -390,7 +401,7 @@ void PathBatch<S>::traceShadows() {
         S contribution = shadows_[i].contribution;
         if (scene_.needs.transmission)
             contribution *= fromRgb<S>(paneTransmittance(scene_, shadowRays_[i], counters_));
-        add(shadows_[i].query, shadows_[i].reflections, shadows_[i].source, contribution);
+        add(shadows_[i].query, shadows_[i].reflections, shadows_[i].source, contribution, shadows_[i].diffuse);
     }
     shadows_.clear();
     shadowRays_.clear();
@@ -402,8 +413,9 @@ void PathBatch<S>::removeEnded() {
 }
 
 template <Spectrum S>
-void PathBatch<S>::add(std::uint32_t query, int reflections, LightSource source, const S& radiance) {
+void PathBatch<S>::add(std::uint32_t query, int reflections, LightSource source, const S& radiance, const S& diffuse) {
     auto& sample = samples_[query];
+    if (reflections > 0 && !settings_.bounces.empty()) settings_.bounces[query].diffuse += toRgb(radiance * diffuse);
     (reflections == 0 ? sample.emitted : reflections == 1 ? sample.direct : sample.indirect) += toRgb(radiance);
     if (settings_.shares != nullptr) settings_.shares->push_back({toRgb(radiance), query, source, reflections == 0});
 }

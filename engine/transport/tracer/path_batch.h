@@ -13,13 +13,16 @@ namespace luxdeck {
 
 struct SurfacePoint;
 
-/// Where a path was first scattered, when that place looks the same from wherever it is seen straight: a
-/// matte surface met without pane, mirror or hole before it. All reflected radiance of the path's sample left it.
-struct MattePoint {
+/// Where a path was first scattered, met straight: without pane, mirror or hole before it. What its surface scatters
+/// alike in all directions looks the same to all who see the place, but for a factor of the angle.
+struct FirstBounce {
     bool met = false;
     Vec3 position{0, 0, 0};         // just off the surface [m]
     Vec3 geometricNormal{0, 0, 1};  // to the side that was met
     Vec3 shadingNormal{0, 0, 1};
+    Hit hit;                        // for the factor of the angle; of a matte or Ward surface it is 1
+    bool coated = false;            // the factor is not 1
+    Rgb diffuse;                    // the part of the sample's reflected radiance that was scattered so [cd/m^2]
 };
 
 /// What a tracer follows.
@@ -30,7 +33,7 @@ struct TracerSettings {
                                    // reflections left out [cd/m^2]
     std::vector<SourceShare>* shares = nullptr;  // not null: what each light gave is appended to it; of radiance,
                                                  // `direct` being what was emitted
-    std::span<MattePoint> mattePoints;           // empty, or filled for each query
+    std::span<FirstBounce> bounces;              // empty, or filled for each query
 };
 
 /// A batch of light paths, followed together from where light is asked for towards the lights: trace all
@@ -54,6 +57,7 @@ private:
         std::uint32_t query = 0;
         int reflections = 0;       // so far, mirrors included, passages through panes and into solids not
         int vertices = 0;
+        S diffuse{0.0F};           // the part of what comes that its first bounce scattered alike in all directions
         Receiver from;             // where the direction was sampled
         float pdfSolidAngle = 0;   // of the direction; 0: no other strategy, light counts in full
         float travelled = 0;       // along specular vertices since the start [m]
@@ -75,6 +79,7 @@ private:
         Vec3 origin;
         std::uint32_t query;
         int reflections;
+        S diffuse;
     };
 
     void trace();
@@ -101,7 +106,10 @@ private:
     void traceShadows();
     void removeEnded();
     /// Adds to the part that light with this many reflections belongs to.
-    void add(std::uint32_t query, int reflections, LightSource source, const S& radiance);
+    void add(std::uint32_t query, int reflections, LightSource source, const S& radiance, const S& diffuse);
+    void add(const Path& path, LightSource source, const S& radiance) { add(path.query, path.reflections, source, radiance, path.diffuse); }
+    [[nodiscard]] bool looksAlike(const Hit& hit, const SurfacePoint& point) const;
+    [[nodiscard]] bool atFirstBounce(const Path& path) const { return path.vertices == 0 && !settings_.bounces.empty(); }
     TransportCounters finish();
 
     /// The part of light found by the path's own direction, next-event estimation taking the rest.
