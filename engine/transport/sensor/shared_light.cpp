@@ -74,28 +74,27 @@ private:
             samples[y].indirect += bounces_[y].diffuse * kPi;
             return;
         }
-        const auto factor = factors(y);
+        const auto& bounce = bounces_[y];
+        const auto coat = coatOf(y);
+        const Rgb light = coat ? quotient(bounce.diffuse, coat->diffuseFactor(cosineTo(y, bounce))) : bounce.diffuse;
         for (std::size_t i = 0; i < n; ++i) {
             const float weight = weights_[y * n + i];
-            if (weight > 0) samples[i].indirect += bounces_[y].diffuse * (kPi * weight / sum) * factor(i);
+            if (!(weight > 0)) continue;
+            const Rgb received = light * (kPi * weight / sum);
+            samples[i].indirect += coat ? received * coat->diffuseFactor(cosineTo(i, bounce)) : received;
         }
     }
 
-    /// g_i / g_y of a bounce.
-    [[nodiscard]] auto factors(std::size_t y) const {
+    /// The surface of a bounce whose light depends on the angle it is seen at; none where it does not.
+    [[nodiscard]] std::optional<Bsdf<Rgb>> coatOf(std::size_t y) const {
         const auto& bounce = bounces_[y];
-        std::optional<Bsdf<Rgb>> bsdf;
-        if (bounce.coated) {
-            const Vec3 towards = (bounce.position - origins_[y]).normalized();
-            const Ray ray{origins_[y], 0, towards, kInfinity};
-            bsdf.emplace(scene_.scene, scene_.needs, surfacePoint(scene_.scene, scene_.needs, ray, bounce.hit));
-        }
-        const auto angle = [this, &bounce](std::size_t i) {
-            return std::max(dot((origins_[i] - bounce.position).normalized(), bounce.shadingNormal), 0.0F);
-        };
-        return [bsdf, angle, y](std::size_t i) {
-            return bsdf ? quotient(bsdf->diffuseFactor(angle(i)), bsdf->diffuseFactor(angle(y))) : Rgb(1.0F);
-        };
+        if (!bounce.coated) return std::nullopt;
+        const Ray ray{origins_[y], 0, (bounce.position - origins_[y]).normalized(), kInfinity};
+        return Bsdf<Rgb>(scene_.scene, scene_.needs, surfacePoint(scene_.scene, scene_.needs, ray, bounce.hit));
+    }
+
+    [[nodiscard]] float cosineTo(std::size_t sensor, const FirstBounce& bounce) const {
+        return std::max(dot((origins_[sensor] - bounce.position).normalized(), bounce.shadingNormal), 0.0F);
     }
 
     const TransportScene& scene_;

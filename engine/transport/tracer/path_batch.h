@@ -71,6 +71,7 @@ private:
         std::uint32_t query;
         int reflections;
         LightSource source;
+        S diffuse;
     };
 
     struct Mirrored {
