@@ -194,6 +194,9 @@ TEST_F(CalPatterns, SkiesFollowTheirFormulas) {
         EXPECT_NEAR(intermediate->value(along(d)).r / blended(nakamura), 1, kSky);
         EXPECT_NEAR(perez->value(along(d)).r / blended(3 * relative), 1, kSky);
     }
+    // gensky gives an overcast sky three arguments: what clear skies need is not asked for.
+    EXPECT_EQ(made(PatternKind::BrightFunc, {"skybr", "skybright.cal"}, {2, 90, 5})->value(along({0, 0.6, 0.8})),
+              overcast->value(along({0, 0.6, 0.8})));
     // Far below the horizon there is the ground.
     EXPECT_NEAR(overcast->value(along({0, 0, -1})).r, 5, 1e-3);
 }
