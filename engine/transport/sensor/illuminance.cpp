@@ -3,6 +3,7 @@
 #include "engine/sampling/warp.h"
 #include "engine/transport/surface/surface_point.h"
 #include "engine/transport/tracer/light_choice.h"
+#include "engine/transport/tracer/media.h"
 #include "engine/transport/tracer/shadow.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ Receiver receiverOf(const SensorQuery& query) {
 /// Chooses a light for every sensor; contributions that are not shadowed go to `samples`.
 class LightRound {
 public:
-    LightRound(const TransportScene& scene, std::size_t count) : scene_(scene) {
+    LightRound(const TransportScene& scene, std::size_t count) : scene_(scene), media_(scene) {
         rays_.reserve(count), contributions_.reserve(count);
     }
 
@@ -57,6 +58,8 @@ public:
             if (shadowed_[i] != 0) continue;
             Rgb contribution = contributions_[i].light;
             if (scene_.needs.transmission) contribution *= paneTransmittance(scene_, rays_[i], counters);
+            if (scene_.needs.dielectrics)  // a sensor inside a solid, and a light in the same
+                contribution *= media_.at(rays_[i].origin, counters).transmittance(rays_[i].tMax / (1 - kShadowShortening));
             samples[contributions_[i].index].direct += contribution;
             if (shares != nullptr) shares->push_back({contribution, contributions_[i].index, contributions_[i].source, true});
         }
@@ -69,6 +72,7 @@ private:
         LightSource source;
     };
     const TransportScene& scene_;
+    MediaFinder media_;
     std::vector<Ray> rays_;
     std::vector<Contribution> contributions_;
     std::vector<std::uint8_t> shadowed_;
