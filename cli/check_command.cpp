@@ -68,8 +68,8 @@ std::string projectText(const Loaded& l) {
     return text;
 }
 
-Exit checkScene(const std::string& path, const Context& context) {
-    const auto loaded = load(path, context.common.quiet);
+Exit checkScene(const std::vector<std::string>& paths, const Context& context) {
+    const auto loaded = load(paths, context.common.quiet);
     if (!loaded) return complain(loaded.error());
     if (context.progress.cancelled()) return Exit::Interrupted;
     const auto told = writeOutput("-", context.common.json ? jsonText(projectJson(**loaded)) : projectText(**loaded));
@@ -84,11 +84,11 @@ struct Options {
 Exit runCheck(const Options& o, const Context& context) {
     const auto photometric = std::count_if(o.files.begin(), o.files.end(), isPhotometric);
     if (static_cast<std::size_t>(photometric) == o.files.size()) return checkPhotometry(o.files, o.drawing, context);
-    if (o.files.size() > 1)
-        return complain({ErrorCode::InvalidArgument, fmt::format("{} files, expected one project or scene, or photometric files alone", o.files.size()), o.files[0]});
+    if (photometric > 0)
+        return complain({ErrorCode::InvalidArgument, fmt::format("{} files, expected one project or scene, Radiance files (.rad, .mat) of one scene, or photometric files alone", o.files.size()), o.files[0]});
     if (!o.drawing.empty())
         return complain({ErrorCode::InvalidArgument, "is no photometric file (.ies, .ldt): there is nothing to draw with -o", o.files[0]});
-    return checkScene(o.files[0], context);
+    return checkScene(o.files, context);
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ Exit runCheck(const Options& o, const Context& context) {
 Command addCheck(CLI::App& program) {
     const auto o = std::make_shared<Options>();
     auto* app = program.add_subcommand("check", "Read and check a project, a scene or photometric files: what is in it (in m, lm and cd), what it needs, what is left out, repaired or refused, and why");
-    app->add_option("file", o->files, "project.toml, .glb, .gltf, .obj, or one or more .ies and .ldt")->required()->type_name("FILE");
+    app->add_option("file", o->files, "project.toml, .glb, .gltf, .obj, the .rad and .mat of one scene in their order, or one or more .ies and .ldt")->required()->type_name("FILE");
 #ifdef LUXDECK_REPORT
     app->add_option("-o,--output", o->drawing, "Draw the photometric file: polar curve and intensity by C plane in cd, .png, .pdf or .svg")->type_name("F.png");
 #endif

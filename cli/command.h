@@ -68,6 +68,7 @@ Command addCheck(CLI::App& program);
 Command addSolve(CLI::App& program);
 Command addSense(CLI::App& program);
 Command addRender(CLI::App& program);
+Command addExport(CLI::App& program);
 Command addTonemap(CLI::App& program);
 #ifdef LUXDECK_REPORT
 Command addReport(CLI::App& program);

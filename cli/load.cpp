@@ -2,6 +2,7 @@
 
 #include "analysis/grids/sampling_run.h"
 #include "cli/streams.h"
+#include "engine/io/rad_view.h"
 
 #include <fmt/format.h>
 
@@ -33,10 +34,11 @@ Result<std::unique_ptr<Loaded>> load(const std::vector<std::string>& paths, bool
     return loaded;
 }
 
-Result<const View*> findView(const Project& project, const std::string& name) {
+Result<View> findView(const Project& project, const std::string& name) {
+    if (name.ends_with(".vf")) return readView(name);
     std::string known;
     for (const auto& view : project.views) {
-        if (name.empty() || view.name == name) return &view;
+        if (name.empty() || view.name == name) return view;
         known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", view.name);
     }
     if (known.empty()) return Error{ErrorCode::InvalidArgument, "has no view: add a [[view]] (docs/project-format.md)", project.file.string()};

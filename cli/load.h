@@ -23,9 +23,9 @@ Result<std::unique_ptr<Loaded>> load(const std::vector<std::string>& paths, bool
 
 void printWarnings(const std::vector<std::string>& warnings, bool quiet);
 
-/// The view of that name, or the first when the name is empty.
+/// The view of that name, or the first when the name is empty; a name that ends in .vf is a Radiance view file.
 ///
-/// errors  InvalidArgument listing the views there are
-Result<const View*> findView(const Project& project, const std::string& name);
+/// errors  InvalidArgument listing the views there are; those of readView()
+Result<View> findView(const Project& project, const std::string& name);
 
 }  // namespace luxdeck::cli

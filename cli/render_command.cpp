@@ -52,7 +52,7 @@ Exit runRender(const Options& o, Context& context) {
     if (!loaded) return complain(loaded.error());
     auto found = findView((*loaded)->project, o.view);
     if (!found) return complain(found.error());
-    View view = **found;
+    View view = *std::move(found);
     if (!o.size.empty()) view.width = o.size[0], view.height = o.size[1];
     // Saved now and then, so that even a killed process leaves a picture, marked incomplete.
     const auto save = [&](const RenderResult& part) {
@@ -75,7 +75,7 @@ Command addRender(CLI::App& program) {
     const auto o = std::make_shared<Options>();
     auto* app = program.add_subcommand("render", "A picture of a view: float EXR in cd/m² with its standard error");
     app->add_option("project", o->project, "project.toml or a scene file; several .rad and .mat files are one scene, in their order")->required()->type_name("PROJECT");
-    app->add_option("--view", o->view, "Name of the view; the first one when not given")->type_name("NAME");
+    app->add_option("--view", o->view, "Name of the view, or a Radiance view file (.vf); the first one when not given")->type_name("NAME");
     app->add_option("-o,--output", o->output, "The picture")->required()->check(namedAs(".exr"))->type_name("F.exr");
     app->add_option("--size", o->size, "Width and height in pixels, instead of the view's own")->expected(2)->check(CLI::Range(1, 32768))->type_name("W H");
     app->add_option("--quantity", o->quantity, "luminance of what is seen (cd/m²), or illuminance on it (lx)")

@@ -9,7 +9,8 @@
 namespace luxdeck::cli {
 
 /// Solves with the options of the command line; `defaultError` when neither error nor time was asked for.
-Result<SolveResult> runSolve(const Loaded& loaded, const Effort& effort, const Context& context, double defaultError);
+Result<SolveResult> runSolve(const Loaded& loaded, const Effort& effort, const Context& context, double defaultError,
+                             bool byLuminaire = false);
 
 /// The result as people read it in a terminal.
 std::string solveText(const SolveResult& result);

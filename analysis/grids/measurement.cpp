@@ -1,5 +1,7 @@
 #include "analysis/grids/measurement.h"
 
+#include "analysis/grids/layers.h"
+
 #include <algorithm>
 
 namespace luxdeck {
@@ -7,6 +9,8 @@ namespace luxdeck {
 void PointSums::add(const PointSums& more) {
     for (std::size_t r = 0; r < kReplicates; ++r) direct[r] += more.direct[r], indirect[r] += more.indirect[r];
     for (std::size_t c = 0; c < 3; ++c) rgb[c] += more.rgb[c];
+    if (layers.empty()) layers.assign(more.layers.size(), 0.0);
+    for (std::size_t i = 0; i < more.layers.size(); ++i) layers[i] += more.layers[i];
     perReplicate += more.perReplicate, backFaces += more.backFaces, rejected += more.rejected;
 }
 
@@ -28,7 +32,7 @@ struct Outcome {
 };
 
 std::vector<Outcome> ask(const RadianceEstimator& estimator, const Target& target, std::span<const SamplePath> numbers,
-                         TransportCounters& counters) {
+                         std::vector<SourceShare>& shares, TransportCounters& counters) {
     std::vector<Outcome> outcomes(numbers.size());
     if (target.radiance) {
         std::vector<RadianceQuery> queries(numbers.size());
@@ -42,7 +46,8 @@ std::vector<Outcome> ask(const RadianceEstimator& estimator, const Target& targe
     std::vector<SensorQuery> queries(numbers.size(), target.sensor);
     std::vector<SensorSample> samples(numbers.size());
     for (std::size_t i = 0; i < numbers.size(); ++i) queries[i].numbers = numbers[i];
-    counters += estimator.irradiance(queries, samples);
+    counters += target.layers != nullptr ? estimator.irradianceBySource(queries, samples, shares)
+                                         : estimator.irradiance(queries, samples);
     for (std::size_t i = 0; i < numbers.size(); ++i)
         outcomes[i] = {samples[i].direct, samples[i].indirect, samples[i].sawBackFace, samples[i].failure};
     return outcomes;
@@ -72,6 +77,8 @@ PointSums measure(const RadianceEstimator& estimator, const LuminanceWeights& we
     PointSums sums;
     sums.perReplicate = count;
     std::vector<SamplePath> numbers;
+    std::vector<SourceShare> shares;
+    if (target.layers != nullptr) sums.layers.assign(target.layers->layers.size() * 2 * kReplicates, 0.0);
     numbers.reserve(kBatch);
     const std::size_t total = std::size_t{count} * kReplicates;
     for (std::size_t start = 0; start < total; start += kBatch) {
@@ -79,7 +86,10 @@ PointSums measure(const RadianceEstimator& estimator, const LuminanceWeights& we
         numbers.clear();
         for (std::size_t i = start; i < end; ++i)
             numbers.emplace_back(streamSeed(seed, target.stream, i / count), first + static_cast<std::uint32_t>(i % count));
-        const auto outcomes = ask(estimator, target, numbers, counters);
+        const auto outcomes = ask(estimator, target, numbers, shares, counters);
+        for (const auto& share : shares)
+            sums.layers[(2 * std::size_t{target.layers->layerOf(share.source)} + (share.direct ? 0 : 1)) * kReplicates +
+                        (start + share.query) / count] += luminance(share.light, weights);
         for (std::size_t i = start; i < end; ++i) {
             const auto& o = outcomes[i - start];
             sums.direct[i / count] += luminance(o.direct, weights);

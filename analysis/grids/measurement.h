@@ -19,6 +19,7 @@ struct PointSums {
     std::array<double, kReplicates> direct{};
     std::array<double, kReplicates> indirect{};
     std::array<double, 3> rgb{};
+    std::vector<double> layers;      // #layers x 2 x R, direct then indirect; empty unless they are asked for
     std::uint32_t perReplicate = 0;  // samples of each replicate
     std::uint64_t backFaces = 0;
     std::uint64_t rejected = 0;
@@ -33,12 +34,15 @@ struct PointSums {
     [[nodiscard]] Rgb rgbMean() const;
 };
 
+struct LayerMap;
+
 /// Something that is measured at one point by samples: illuminance there, or radiance along a ray.
 struct Target {
     bool radiance = false;      // false: illuminance at `sensor`
     SensorQuery sensor;
     Ray ray;
     std::uint64_t stream = 0;   // its own random stream: the point's index among all
+    const LayerMap* layers = nullptr;  // not null: light is kept apart by layers; of illuminance alone
 };
 
 /// Samples first .. first + count - 1 of every replicate of one target. Depends on nothing else, so any

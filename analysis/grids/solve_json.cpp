@@ -1,5 +1,7 @@
 #include "analysis/grids/solve_json.h"
 
+#include "analysis/grids/layers.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -39,6 +41,22 @@ Json grid(const GridResult& g) {
     return out;
 }
 
+/// Of every layer that is not dark, its light at the grid's points.
+Json layersOf(const LayeredSums& layers, std::size_t first, std::size_t count) {
+    Json out = Json::array();
+    for (std::size_t layer = 0; layer < layers.layers.size(); ++layer) {
+        Json points = Json::array();
+        bool dark = true;
+        for (std::size_t i = first; i < first + count; ++i) {
+            const auto value = layers.value(i, layer);
+            dark = dark && value.value == 0;
+            points.push_back({{"lx", number(value.value)}, {"ci95", number(value.ci95)}});
+        }
+        if (!dark) out.push_back({{"name", layers.layers[layer].name}, {"dimming", layers.layers[layer].dimming}, {"points", points}});
+    }
+    return out;
+}
+
 }  // namespace
 
 std::string solveJson(const SolveResult& r) {
@@ -48,7 +66,12 @@ std::string solveJson(const SolveResult& r) {
              {"seed", r.seed}, {"threads", r.threads},
              {"targetError", r.targetError > 0 ? Json(r.targetError) : Json(nullptr)}, {"targetReached", r.targetReached}};
     out["grids"] = Json::array();
-    for (const auto& g : r.grids) out["grids"].push_back(grid(g));
+    std::size_t first = 0;
+    for (const auto& g : r.grids) {
+        out["grids"].push_back(grid(g));
+        if (r.layers) out["grids"].back()["layers"] = layersOf(*r.layers, first, g.points.size());
+        first += g.points.size();
+    }
     out["trace"] = Json::array();
     for (const auto& t : r.trace)
         out["trace"].push_back({{"seconds", t.seconds}, {"relativeError", number(t.relativeError)},

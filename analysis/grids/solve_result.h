@@ -6,6 +6,7 @@
 #include "engine/scene/needs.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +64,8 @@ struct ErrorAtTime {
     std::uint64_t samples = 0;
 };
 
+struct LayeredSums;
+
 /// What `solve` found: `solve --json` and the report are this.
 struct SolveResult {
     std::string project;       // name
@@ -87,6 +90,7 @@ struct SolveResult {
     std::string sceneHash, projectHash;
     std::string version;       // of luxdeck
     std::string kernel;        // "Embree 3.13.5"
+    std::shared_ptr<const LayeredSums> layers;  // of a solve by luminaire; else null
 };
 
 }  // namespace luxdeck

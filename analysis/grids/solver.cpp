@@ -2,6 +2,7 @@
 
 #include "analysis/grids/grid_points.h"
 #include "analysis/grids/grid_results.h"
+#include "analysis/grids/layers.h"
 #include "analysis/grids/sampling_run.h"
 #include "engine/core/parallel.h"
 #include "engine/core/version.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace luxdeck {
 
@@ -24,12 +26,30 @@ constexpr double kPathsForSpecular = 4096;
 /// Aim a little below the target: a point that ends just above it would cost a round more.
 constexpr double kAim = 0.93;
 
+/// Layers of more than this are refused: what a point keeps of each is 512 bytes.
+constexpr double kMostLayerBytes = 2e9;
+
+Result<void> canKeepLayers(const Project& project, const RadianceEstimator& estimator, const SolveSettings& settings,
+                           const std::vector<GridLayout>& layouts) {
+    if (!estimator.knowsSources())
+        return Error{ErrorCode::InvalidArgument, fmt::format("algorithm \"{}\" does not know which luminaire light comes from, expected path or direct", settings.algorithm)};
+    std::size_t points = 0;
+    for (const auto& layout : layouts) points += layout.points.size();
+    const std::size_t layers = LayerMap::of(project.scene).layers.size();
+    const double bytes = static_cast<double>(points * layers) * 2 * kReplicates * sizeof(double);
+    if (bytes > kMostLayerBytes)
+        return Error{ErrorCode::OutOfResources, fmt::format("{} points times {} layers take {:.1f} GB, expected at most {:.1f}: give luminaires that are switched together one name",
+                                                            points, layers, bytes * 1e-9, kMostLayerBytes * 1e-9)};
+    return {};
+}
+
 /// The solve of one project: rounds of samples, and after each what it is known to.
 class Solve {
 public:
     Solve(const Project& project, const LitScene& lit, const SolveSettings& settings, const RadianceEstimator& estimator,
           std::vector<GridLayout> layouts, const Progress& progress)
         : project_(project), settings_(settings), layouts_(std::move(layouts)), progress_(progress),
+          layerMap_(settings.byLuminaire ? LayerMap::of(project.scene) : LayerMap{}),
           run_(estimator, project.scene.weights, targetsOf(project.scene), settings.seed) {
         state_.stage = "solving";
         result_.kernel = lit.raycaster().kernel();
@@ -66,6 +86,7 @@ private:
                 target.sensor.normal = Vec3(layouts_[g].normals[i]);
                 target.sensor.kind = project_.grids[g].kind == GridKind::Cylindrical ? SensorKind::Cylindrical : SensorKind::Planar;
                 target.stream = points_.size();
+                if (settings_.byLuminaire) target.layers = &layerMap_;
                 targets.push_back(target);
                 points_.push_back({g, i});
             }
@@ -172,6 +193,8 @@ private:
         r.sceneHash = project_.scene.hash, r.projectHash = project_.fileHash;
         r.version = kVersion;
         r.warnings = project_.scene.warnings;
+        if (settings_.byLuminaire)
+            r.layers = std::make_shared<LayeredSums>(LayeredSums{layerMap_.layers, run_.sums(), project_.scene.hash});
         addWarnings(r);
         const double pathsPerPoint = static_cast<double>(r.samples) / static_cast<double>(points_.size());
         if (specularChains_ && r.samples > 0 && pathsPerPoint < kPathsForSpecular)
@@ -200,6 +223,7 @@ private:
     SolveSettings settings_;
     std::vector<GridLayout> layouts_;
     const Progress& progress_;
+    LayerMap layerMap_;
     std::vector<Point> points_;  // before run_, which fills it
     SamplingRun run_;
     ProgressState state_;
@@ -223,6 +247,8 @@ Result<SolveResult> solve(const Project& project, const LitScene& lit, const Sol
         return Error{ErrorCode::InvalidArgument, "has no calculation grid: add a [[grid]] (docs/project-format.md)", project.file.string()};
     if (!(settings.targetError > 0) && !settings.timeSeconds && !settings.samples)
         return Error{ErrorCode::InvalidArgument, "neither a target error nor a time: solving would never end"};
+    if (settings.byLuminaire)
+        if (const auto possible = canKeepLayers(project, **estimator, settings, layouts); !possible) return possible.error();
     return Solve(project, lit, settings, **estimator, std::move(layouts), progress).run();
 }
 

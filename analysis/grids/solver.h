@@ -17,6 +17,7 @@ struct SolveSettings {
     double targetError = 0.02;               // relative 95 % half-width of every number; 0: until the time is up
     std::optional<double> timeSeconds;       // budget; none: until the target is reached
     std::optional<std::uint32_t> samples;    // exactly so many paths for each point instead
+    bool byLuminaire = false;                // keep the light of each luminaire apart (SolveResult::layers)
 };
 
 /// Points whose illuminance is far below their grid's mean count relative to this part of the mean: the
@@ -29,7 +30,8 @@ inline constexpr double kDarkPoint = 0.1;
 /// marked incomplete.
 ///
 /// lit        made of project.scene
-/// errors     InvalidArgument: no such algorithm, a setting out of range, a grid that cannot be laid out,
+/// errors     InvalidArgument: no such algorithm, a setting out of range, a grid that cannot be laid out, an algorithm
+///            that does not know where light comes from (byLuminaire), or more layers than memory should hold,
 ///            nothing to solve
 Result<SolveResult> solve(const Project& project, const LitScene& lit, const SolveSettings& settings,
                           const Progress& progress);

@@ -20,8 +20,21 @@ inline constexpr std::size_t kInputCount = 17;
 using Inputs = std::array<double, kInputCount>;
 
 enum class Op : std::uint8_t {
-    Number, Input, Argument, Variable, Call, CallArgument, CallNative, FunctionName, NativeName,
-    Negate, Add, Subtract, Multiply, Divide, Power
+    Number,
+    Input,
+    Argument,
+    Variable,
+    Call,
+    CallArgument,
+    CallNative,
+    FunctionName,
+    NativeName,
+    Negate,
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power
 };
 
 /// A step of compiled expressions. Operands are other steps, before it in the same definition.
@@ -52,16 +65,16 @@ struct Code {
     std::vector<std::uint32_t> operands;
     std::vector<CompiledFunction> functions;
     std::vector<CompiledVariable> variables;
-    std::vector<std::uint32_t> entries;       ///< roots, in the order that was asked for
-    std::vector<double> realArguments;        ///< A1 ...
+    std::vector<std::uint32_t> entries;  ///< roots, in the order that was asked for
+    std::vector<double> realArguments;  ///< A1 ...
 };
 
 /// What names mean besides the definitions.
 struct Bindings {
     std::vector<double> realArguments;
     std::map<std::string, double, std::less<>> constants;  ///< S, Tx ... of a pattern
-    bool ray = true;                                       ///< Dx, Px ... are known
-    bool material = false;                                 ///< CrP, CgP, CbP are known
+    bool ray = true;  ///< Dx, Px ... are known
+    bool material = false;  ///< CrP, CgP, CbP are known
 };
 
 /// Definitions by the order in which they are looked for.
@@ -72,7 +85,8 @@ using Scope = std::vector<std::shared_ptr<const Module>>;
 ///
 /// errors  Parse: a name that is not defined, a variable defined by itself (named), too few arguments, a
 ///         function where a value is expected, more than kMostVariables
-Result<Code> compile(const Scope& scope, std::span<const std::shared_ptr<const Module>> entries, const Bindings& bindings);
+Result<Code> compile(const Scope& scope, std::span<const std::shared_ptr<const Module>> entries,
+                     const Bindings& bindings);
 
 /// Replaces what does not depend on inputs by its value, and choices that are known by what they choose.
 void foldConstants(Code& code);

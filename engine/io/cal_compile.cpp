@@ -18,12 +18,28 @@ namespace {
 
 std::optional<Input> inputNamed(std::string_view name) {
     static const std::unordered_map<std::string_view, Input> kInputs{
-        {"Dx", Input::Dx}, {"Dy", Input::Dy}, {"Dz", Input::Dz}, {"Nx", Input::Nx}, {"Ny", Input::Ny}, {"Nz", Input::Nz},
-        {"Px", Input::Px}, {"Py", Input::Py}, {"Pz", Input::Pz}, {"T", Input::T}, {"Ts", Input::Ts},
-        {"Rdot", Input::Rdot}, {"Lu", Input::Lu}, {"Lv", Input::Lv}, {"CrP", Input::CrP}, {"CgP", Input::CgP},
+        {"Dx", Input::Dx},
+        {"Dy", Input::Dy},
+        {"Dz", Input::Dz},
+        {"Nx", Input::Nx},
+        {"Ny", Input::Ny},
+        {"Nz", Input::Nz},
+        {"Px", Input::Px},
+        {"Py", Input::Py},
+        {"Pz", Input::Pz},
+        {"T", Input::T},
+        {"Ts", Input::Ts},
+        {"Rdot", Input::Rdot},
+        {"Lu", Input::Lu},
+        {"Lv", Input::Lv},
+        {"CrP", Input::CrP},
+        {"CgP", Input::CgP},
         {"CbP", Input::CbP},
         // A pattern's surface is not perturbed by textures here.
-        {"NxP", Input::Nx}, {"NyP", Input::Ny}, {"NzP", Input::Nz}, {"RdotP", Input::Rdot}};
+        {"NxP", Input::Nx},
+        {"NyP", Input::Ny},
+        {"NzP", Input::Nz},
+        {"RdotP", Input::Rdot}};
     const auto at = kInputs.find(name);
     return at == kInputs.end() ? std::nullopt : std::optional(at->second);
 }
@@ -120,7 +136,8 @@ private:
             const bool function = found.definition->isFunction();
             const std::size_t index = function ? code_.functions.size() : code_.variables.size();
             if (!function && index >= kMostVariables)
-                fail(found.definition->line, fmt::format("more than {} variables lead to this expression", kMostVariables));
+                fail(found.definition->line,
+                     fmt::format("more than {} variables lead to this expression", kMostVariables));
             if (function)
                 code_.functions.push_back(
                     {found.definition->name, 0, static_cast<std::uint32_t>(found.definition->parameters.size())});
@@ -133,8 +150,8 @@ private:
     }
 
     std::uint32_t add(Op op, std::uint32_t index, const std::vector<std::uint32_t>& kids, double number = 0) {
-        Step result{op, index, static_cast<std::uint32_t>(code_.operands.size()), static_cast<std::uint32_t>(kids.size()),
-                    number};
+        Step result{op, index, static_cast<std::uint32_t>(code_.operands.size()),
+                    static_cast<std::uint32_t>(kids.size()), number};
         code_.operands.insert(code_.operands.end(), kids.begin(), kids.end());
         code_.steps.push_back(result);
         return static_cast<std::uint32_t>(code_.steps.size() - 1);
@@ -170,12 +187,14 @@ private:
         if (const auto found = find(node.name)) return definition(found);
         const std::string_view plain = withoutMark(node.name);
         if (const auto number = realArgumentNamed(plain))
-            return add(Op::CallNative, static_cast<std::uint32_t>(nativeFunction("arg")), {add(Op::Number, 0, {}, *number)});
+            return add(Op::CallNative, static_cast<std::uint32_t>(nativeFunction("arg")),
+                       {add(Op::Number, 0, {}, *number)});
         if (const auto at = bindings_.constants.find(plain); at != bindings_.constants.end())
             return add(Op::Number, 0, {}, at->second);
         if (const auto input = inputNamed(plain)) {
             const bool colour = *input >= Input::CrP;
-            if (bindings_.ray && (!colour || bindings_.material)) return add(Op::Input, static_cast<std::uint32_t>(*input), {});
+            if (bindings_.ray && (!colour || bindings_.material))
+                return add(Op::Input, static_cast<std::uint32_t>(*input), {});
             fail(node.line, fmt::format("'{}' is not known here: {}", plain,
                                         colour ? "only materials have a colour" : "there is no ray"));
             return 0;
@@ -252,7 +271,8 @@ private:
         names.push_back(names.front());
         std::reverse(names.begin(), names.end());
         module_ = definitions_[start].module;
-        fail(definitions_[start].definition->line, fmt::format("'{}' is defined by itself: {}", names.front(), fmt::join(names, " -> ")));
+        fail(definitions_[start].definition->line,
+             fmt::format("'{}' is defined by itself: {}", names.front(), fmt::join(names, " -> ")));
     }
 
     void fail(std::uint32_t line, const std::string& message) {
@@ -274,7 +294,8 @@ private:
 
 }  // namespace
 
-Result<Code> compile(const Scope& scope, std::span<const std::shared_ptr<const Module>> entries, const Bindings& bindings) {
+Result<Code> compile(const Scope& scope, std::span<const std::shared_ptr<const Module>> entries,
+                     const Bindings& bindings) {
     return Compiler(scope, bindings).run(entries);
 }
 

@@ -42,7 +42,9 @@ private:
     double callNative(std::uint32_t function, const Step& call, Frame* frame);
     double special(std::uint32_t function, const Step& call, Frame* frame);
     double realArgument(double number);
-    [[nodiscard]] std::uint32_t operand(const Step& step, std::uint32_t i) const { return code_.operands[step.first + i]; }
+    [[nodiscard]] std::uint32_t operand(const Step& step, std::uint32_t i) const {
+        return code_.operands[step.first + i];
+    }
     double checked(double value) { return value - value == 0 ? value : fail(Failure::NoValue); }
     double fail(Failure failure);
 

@@ -35,7 +35,8 @@ double bezier(const double* a) {
 double bspline(const double* a) {
     const double t = a[4], s = 1 - t;
     return (a[0] * s * s * s + a[1] * (3 * t * t * t - 6 * t * t + 4) + a[2] * (3 * s * s * s - 6 * s * s + 4) +
-            a[3] * t * t * t) / 6;
+            a[3] * t * t * t) /
+           6;
 }
 /// From near to far with the square of the distance, wholly far from 16 on.
 double fade(const double* a) { return a[1] + (a[2] < 16 ? (a[0] - a[1]) / (1 + a[2] * a[2]) : 0); }
@@ -94,7 +95,9 @@ constexpr std::array kFunctions{
     NativeFunction{"bound", 3, false, [](Arguments a, std::size_t) { return bound(a[0], a[1], a[2]); }},
     NativeFunction{"abs", 1, false, [](Arguments a, std::size_t) { return std::abs(a[0]); }},
     NativeFunction{"sgn", 1, false,
-                   [](Arguments a, std::size_t) { return a[0] > 0 ? 1.0 : a[0] < 0 ? -1.0 : a[0] == 0 ? 0.0 : kNaN; }},
+                   [](Arguments a, std::size_t) {
+                       return a[0] > 0 ? 1.0 : a[0] < 0 ? -1.0 : a[0] == 0 ? 0.0 : kNaN;
+                   }},
     NativeFunction{"sq", 1, false, [](Arguments a, std::size_t) { return a[0] * a[0]; }},
     NativeFunction{"frac", 1, false, [](Arguments a, std::size_t) { return a[0] - std::floor(a[0]); }},
     NativeFunction{"mod", 2, false, [](Arguments a, std::size_t) { return modulo(a[0], a[1]); }},

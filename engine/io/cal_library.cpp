@@ -76,8 +76,9 @@ Result<fs::path> CalLibrary::find(std::string_view name, const fs::path& folder)
             lookedAt += (lookedAt.empty() ? "'" : ", '") + shown + "'";
     }
     if (outside)
-        return Error{ErrorCode::Unsupported,
-                     fmt::format("'{}' is outside of the folders that were named; expected a file in one of them", name), ""};
+        return Error{
+            ErrorCode::Unsupported,
+            fmt::format("'{}' is outside of the folders that were named; expected a file in one of them", name), ""};
     return Error{ErrorCode::FileNotFound, fmt::format("'{}' is not found; looked for {}", name, lookedAt), ""};
 }
 

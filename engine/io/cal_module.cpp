@@ -228,7 +228,8 @@ Result<std::shared_ptr<const Module>> Module::parseAt(std::string_view text, con
     return std::shared_ptr<const Module>(std::move(module));
 }
 
-Result<std::shared_ptr<const Module>> Module::expression(const std::string& name, const std::vector<std::string>& parameters,
+Result<std::shared_ptr<const Module>> Module::expression(const std::string& name,
+                                                         const std::vector<std::string>& parameters,
                                                          std::string_view text, const std::string& where) {
     auto module = std::make_shared<Module>();
     module->name_ = where;

@@ -16,7 +16,19 @@ namespace luxdeck::cal {
 /// recursion is safe.
 inline constexpr std::size_t kMostNesting = 1000;
 
-enum class SyntaxKind : std::uint8_t { Number, Name, Parameter, Call, CallParameter, Negate, Add, Subtract, Multiply, Divide, Power };
+enum class SyntaxKind : std::uint8_t {
+    Number,
+    Name,
+    Parameter,
+    Call,
+    CallParameter,
+    Negate,
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power
+};
 
 /// One part of an expression as it was written.
 struct SyntaxNode {
@@ -52,7 +64,8 @@ public:
     /// Definitions that stand in another file, at `where`.
     static Result<std::shared_ptr<const Module>> parseAt(std::string_view text, const std::string& where);
     /// One expression, as the definition of `name` with these parameters.
-    static Result<std::shared_ptr<const Module>> expression(const std::string& name, const std::vector<std::string>& parameters,
+    static Result<std::shared_ptr<const Module>> expression(const std::string& name,
+                                                            const std::vector<std::string>& parameters,
                                                             std::string_view text, const std::string& where);
     /// A call of the function `function` with `count` parameters of its own, as the definition of "".
     static std::shared_ptr<const Module> call(const std::string& function, std::size_t count, const std::string& where);

@@ -77,8 +77,10 @@ bool CalProgram::defines(std::string_view name) const { return state_->find(name
 
 Result<double> CalProgram::evaluate(std::string_view name, std::span<const double> arguments) {
     if (arguments.size() > cal::kMostEntryArguments)
-        return Error{ErrorCode::InvalidArgument,
-                     fmt::format("{} arguments for '{}', expected at most {}", arguments.size(), name, cal::kMostEntryArguments), ""};
+        return Error{
+            ErrorCode::InvalidArgument,
+            fmt::format("{} arguments for '{}', expected at most {}", arguments.size(), name, cal::kMostEntryArguments),
+            ""};
     const auto code = state_->code(std::string(name), arguments.size());
     if (!code) return code.error();
     const cal::Inputs none{};

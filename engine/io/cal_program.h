@@ -35,8 +35,8 @@ public:
     Result<void> addFile(std::string_view name, const std::filesystem::path& folder, CalLibrary& library);
     /// An expression of parameters, as a function of that name: define("x", {"s", "t"}, "cos(2*PI*s)", where).
     /// errors  Parse, at `where`
-    Result<void> define(const std::string& name, const std::vector<std::string>& parameters, std::string_view expression,
-                        const std::string& where);
+    Result<void> define(const std::string& name, const std::vector<std::string>& parameters,
+                        std::string_view expression, const std::string& where);
 
     /// Whether a function or variable of that name is defined by text or file.
     [[nodiscard]] bool defines(std::string_view name) const;

@@ -42,7 +42,8 @@ public:
         return least;
     }
     void fail(std::string_view seen, const std::string& expected) {
-        failWith(fmt::format("{}, expected {}", seen.empty() ? "the file ends" : fmt::format("'{}'", seen.substr(0, 40)), expected));
+        failWith(fmt::format("{}, expected {}",
+                             seen.empty() ? "the file ends" : fmt::format("'{}'", seen.substr(0, 40)), expected));
     }
     void failWith(const std::string& message) {
         if (!failed_) error_ = {ErrorCode::Parse, message, fmt::format("{}:{}", name_, line_)};
@@ -88,14 +89,16 @@ DataAxis readAxis(DataReader& reader, std::size_t most) {
     axis.count = reader.count(2, most, "the number of points of a dimension");
     if (axis.begin != axis.end || reader.failed()) return axis;
     if (axis.begin != 0) {
-        reader.failWith(fmt::format("a dimension from {} to {}, expected two bounds, or 0 0 and a list of points", axis.begin, axis.end));
+        reader.failWith(fmt::format("a dimension from {} to {}, expected two bounds, or 0 0 and a list of points",
+                                    axis.begin, axis.end));
         return axis;
     }
     for (std::size_t i = 0; i < axis.count && !reader.failed(); ++i) {
         axis.points.push_back(reader.number("a point of a dimension"));
         const auto& p = axis.points;
         if (i > 0 && (p[i] == p[i - 1] || (p[i] > p[i - 1]) != (p[1] > p[0])))
-            reader.failWith(fmt::format("the point {} after {}, expected points that only rise or only fall", p[i], p[i - 1]));
+            reader.failWith(
+                fmt::format("the point {} after {}, expected points that only rise or only fall", p[i], p[i - 1]));
     }
     axis.begin = axis.points.front(), axis.end = axis.points.back();
     return axis;

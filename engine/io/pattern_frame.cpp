@@ -25,7 +25,8 @@ Result<PatternFrame> PatternFrame::create(const Matrix4d& toWorld, const std::st
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) finite = finite && std::isfinite(toWorld[i][j]);
     if (!finite || !std::isnormal(volume))
-        return Error{ErrorCode::InvalidArgument, "a transform that flattens space, expected one that can be undone", where};
+        return Error{ErrorCode::InvalidArgument, "a transform that flattens space, expected one that can be undone",
+                     where};
     PatternFrame frame;
     frame.toWorld_ = toWorld;
     frame.toLocal_ = toWorld.inverse();
@@ -40,9 +41,9 @@ cal::Inputs PatternFrame::inputs(const PatternPoint& at, const Rgb& materialColo
     const Vec3d position = turned(at.position, toLocal_) + Vec3d(m[3][0], m[3][1], m[3][2]);
     const double rdot = -Vec3d(at.direction).dot(Vec3d(at.normal));
     const double distance = at.distance * shrink_;
-    return {direction.x, direction.y, direction.z, normal.x, normal.y, normal.z, position.x, position.y, position.z,
-            distance, distance, std::clamp(rdot, -1.0, 1.0), at.uv.x, at.uv.y, materialColour.r, materialColour.g,
-            materialColour.b};
+    return {direction.x, direction.y, direction.z,      normal.x,         normal.y,        normal.z,
+            position.x,  position.y,  position.z,       distance,         distance,        std::clamp(rdot, -1.0, 1.0),
+            at.uv.x,     at.uv.y,     materialColour.r, materialColour.g, materialColour.b};
 }
 
 Vec3d PatternFrame::toWorld(const Vec3d& local) const { return turned(local, toWorld_) * shrink_; }

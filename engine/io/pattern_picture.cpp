@@ -38,7 +38,8 @@ void widen(int& width, int& height, std::vector<Rgb>& pixels) {
 
 }  // namespace
 
-Result<std::shared_ptr<const PatternPicture>> PatternPicture::parse(std::string_view bytes, const std::filesystem::path& name) {
+Result<std::shared_ptr<const PatternPicture>> PatternPicture::parse(std::string_view bytes,
+                                                                    const std::filesystem::path& name) {
     const auto header = parseRgbeHeader(bytes, name.string());
     if (!header) return header.error();
     if (header->xyz)

@@ -19,7 +19,8 @@ class PatternPicture {
 public:
     /// Radiance RGBE.
     /// errors  those of parseRgbe(); Unsupported (XYZE)
-    static Result<std::shared_ptr<const PatternPicture>> parse(std::string_view bytes, const std::filesystem::path& name);
+    static Result<std::shared_ptr<const PatternPicture>> parse(std::string_view bytes,
+                                                               const std::filesystem::path& name);
 
     /// Linear between pixels; NaN for coordinates that are not finite.
     [[nodiscard]] Rgb value(double u, double v) const;

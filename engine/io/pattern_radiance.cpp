@@ -93,7 +93,9 @@ public:
         std::array<double, 3> result{};
         for (std::size_t c = 0; c < parts_.layout.channels; ++c) {
             const std::span<const double> all = data;
-            const auto arguments = parts_.layout.procedural() ? all.first(0) : parts_.ownChannel[c] ? all.subspan(c, 1) : all;
+            const auto arguments = parts_.layout.procedural() ? all.first(0)
+                                   : parts_.ownChannel[c]     ? all.subspan(c, 1)
+                                                              : all;
             result[c] = limited(entry(parts_.coordinates + c, arguments));
         }
         if (parts_.layout.channels == 1) return Rgb{static_cast<float>(result[0])};
@@ -154,7 +156,8 @@ Result<void> readData(RadiancePattern::Parts& parts, const PatternSource& source
     const std::size_t given = source.strings.size() - layout.functionFile() - 1;
     if (!layout.procedural() && given != parts.coordinates)
         return Error{ErrorCode::InvalidArgument,
-                     fmt::format("{} has {} variables for data of {} dimensions, expected as many", layout.type, given, parts.coordinates),
+                     fmt::format("{} has {} variables for data of {} dimensions, expected as many", layout.type, given,
+                                 parts.coordinates),
                      source.where};
     return {};
 }
@@ -211,9 +214,10 @@ Result<std::shared_ptr<const Pattern>> makePattern(PatternKind kind, const Patte
     const Layout& layout = layoutOf(kind);
     const std::size_t least = layout.functionFile() + 1 + (layout.picture ? 2 : layout.procedural() ? 0 : 1);
     if (source.strings.size() < least)
-        return Error{ErrorCode::InvalidArgument,
-                     fmt::format("{} has {} string arguments, expected at least {}", layout.type, source.strings.size(), least),
-                     source.where};
+        return Error{
+            ErrorCode::InvalidArgument,
+            fmt::format("{} has {} string arguments, expected at least {}", layout.type, source.strings.size(), least),
+            source.where};
     RadiancePattern::Parts parts;
     parts.layout = layout;
     if (auto ok = readData(parts, source, library); !ok) return ok.error();

@@ -24,7 +24,9 @@ inline constexpr Key kLuminaireTypeKeys[] = {"id",    "file",               "des
 inline constexpr Key kLuminaireKeys[] = {"type",    "name",    "position",           "aim",
                                          "rotation_deg", "dimming", "maintenance_factor", "array"};
 inline constexpr Key kArrayKeys[] = {"count", "spacing"};
-inline constexpr Key kSkyKeys[] = {"kind", "zenith_cd_m2", "horizontal_lux", "ground_reflectance"};
+inline constexpr Key kSkyKeys[] = {"kind",     "type",      "zenith_cd_m2", "horizontal_lux",     "ground_reflectance",      "sun",
+                                   "sun_normal_lux", "sun_altitude_deg", "sun_azimuth_deg", "latitude", "longitude", "time_zone",
+                                   "date",     "hour",      "weather",      "direct_normal_w_m2", "diffuse_horizontal_w_m2", "dew_point_c"};
 inline constexpr Key kRequirementKeys[] = {"id", "name", "source", "mean_lux", "minimum_lux", "uniformity"};
 inline constexpr Key kGridKeys[] = {"name",    "kind",   "origin", "u",           "v",           "border",
                                     "spacing", "counts", "points", "requirement", "requirements"};

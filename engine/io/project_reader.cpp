@@ -3,6 +3,7 @@
 #include "engine/core/file.h"
 #include "engine/io/project_keys.h"
 #include "engine/io/project_sections.h"
+#include "engine/io/project_sky.h"
 #include "engine/io/rad_reader.h"
 
 #include <fmt/format.h>
@@ -118,7 +119,7 @@ Result<ProjectSpec> readSpec(const TomlTable& root, const fs::path& file, Diagno
     spec.materials = readMaterials(root);
     spec.luminaireTypes = readLuminaireTypes(root, folder);
     spec.luminaires = readLuminaires(root, spec.luminaireTypes);
-    spec.sky = readSky(root);
+    spec.sky = readSky(root, folder);
     const auto requirements = readAllRequirements(root, folder, diagnostics);
     if (!requirements) return requirements.error();
     spec.grids = readGrids(root, *requirements);
@@ -166,9 +167,7 @@ Result<Project> build(ProjectSpec spec, const fs::path& file) {
         if (const auto box = namedBounds(spec); !box.isEmpty()) scene.origin = chooseOrigin(box);
     if (auto replaced = replaceMaterials(scene, spec.materials); !replaced) return replaced.error();
     if (auto placed = placeLuminaires(scene, spec, std::move(*types)); !placed) return placed.error();
-    std::swap(scene.sky, spec.sky);  // what the files say of sources stands in front of the project's sky
-    scene.sky.domes.insert(scene.sky.domes.end(), spec.sky.domes.begin(), spec.sky.domes.end());
-    scene.sky.suns.insert(scene.sky.suns.end(), spec.sky.suns.begin(), spec.sky.suns.end());
+    if (auto placed = placeSky(scene, spec.sky); !placed) return placed.error();
     if (auto checked = checkScene(scene, file.string()); !checked) return checked.error();
 
     project.info = std::move(spec.info);

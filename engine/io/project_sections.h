@@ -3,6 +3,7 @@
 #include "engine/io/project.h"
 #include "engine/io/scene_files.h"
 #include "engine/io/toml_reader.h"
+#include "engine/scene/sun_position.h"
 
 #include <array>
 #include <filesystem>
@@ -66,6 +67,24 @@ struct LuminaireSpec {
     std::string where;
 };
 
+enum class SkyModel { None, Uniform, CieOvercast, CieClear, CieIntermediate, CieGeneral, Perez };
+
+/// What the project says of the sky; which of the amounts are there depends on the model.
+struct SkySpec {
+    SkyModel model = SkyModel::None;
+    int type = 1;                       ///< of the CIE general sky
+    double groundReflectance = 0.2;
+    bool sun = true;
+    std::optional<double> zenithCdM2, horizontalLux, sunLux;
+    double directNormalWm2 = 0, diffuseHorizontalWm2 = 0;
+    std::optional<double> dewPointC;
+    std::optional<SolarAngles> angles;  ///< given instead of place and time
+    Site site;
+    ClockTime time;
+    std::optional<FileReference> weather;
+    std::string where;                  ///< file:line
+};
+
 /// A requirement and the id that grids name it by.
 struct NamedRequirement {
     std::string id;
@@ -80,7 +99,7 @@ struct ProjectSpec {
     std::vector<MaterialSpec> materials;
     std::vector<LuminaireTypeSpec> luminaireTypes;
     std::vector<LuminaireSpec> luminaires;
-    Sky sky;
+    SkySpec sky;
     std::vector<CalculationGrid> grids;
     std::vector<View> views;
     std::vector<VolumeSpec> volumes;
@@ -126,7 +145,7 @@ std::vector<FurnitureSpec> readFurniture(const TomlTable& root, const std::files
 std::vector<MaterialSpec> readMaterials(const TomlTable& root);
 std::vector<LuminaireTypeSpec> readLuminaireTypes(const TomlTable& root, const std::filesystem::path& folder);
 std::vector<LuminaireSpec> readLuminaires(const TomlTable& root, const std::vector<LuminaireTypeSpec>& types);
-Sky readSky(const TomlTable& root);
+SkySpec readSky(const TomlTable& root, const std::filesystem::path& folder);
 std::vector<NamedRequirement> readRequirements(const TomlTable& root, UniqueNames& ids);
 std::vector<CalculationGrid> readGrids(const TomlTable& root, const std::vector<NamedRequirement>& requirements);
 std::vector<View> readViews(const TomlTable& root);

@@ -216,7 +216,8 @@ std::string sceneHash(const Scene& scene) {
     for (const auto& t : scene.luminaireTypes) {
         const auto& table = t.photometry.table;
         in.add(table.type()), in.addAll(table.vertical()), in.addAll(table.horizontal()), in.addAll(table.candela());
-        in.add(t.colour), in.add(t.photometry.opening);
+        const auto& opening = t.photometry.opening;  // field by field: the bytes between them are anything
+        in.add(t.colour), in.add(opening.shape), in.add(opening.lengthM), in.add(opening.widthM), in.add(opening.heightM);
     }
     for (const auto& l : scene.luminaires) {
         in.add(l.type), in.add(l.position), in.add(l.frame), in.add(l.outputScale());

@@ -45,6 +45,10 @@ struct SkyDome {
 /// What is seen where there is no surface. Luminances are those of the sky alone; below the horizon lies a
 /// diffuse ground lit by it.
 struct Sky {
+    Sky() = default;
+    Sky(SkyKind skyKind, double zenith, double ground = 0.2, const Rgb& tint = Rgb(1.0F))
+        : kind(skyKind), zenithCdM2(zenith), groundReflectance(ground), colour(tint) {}
+
     SkyKind kind = SkyKind::None;
     double zenithCdM2 = 0;         ///< luminance at the zenith [cd/m^2]; of a GradationIndicatrix: times the shape at the zenith
     double groundReflectance = 0.2;

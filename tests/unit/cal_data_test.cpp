@@ -29,7 +29,9 @@ std::string error(const std::string& text) {
 TEST(CalData, MultilinearFunctionsAreExact) {
     // Three dimensions: even, listed rising, listed falling; f is linear in each, so interpolation has no error.
     const double xs[] = {0, 2.5, 5, 7.5, 10}, ys[] = {0, 1, 10}, zs[] = {4, 1, 0};
-    const auto f = [](double x, double y, double z) { return 3 + x - 2 * y + 0.5 * z + x * y - x * z + 0.25 * x * y * z; };
+    const auto f = [](double x, double y, double z) {
+        return 3 + x - 2 * y + 0.5 * z + x * y - x * z + 0.25 * x * y * z;
+    };
     std::string text = "3 # dimensions\n0 10 5\n0 0 3 0 1 10\n0 0 3\n4 1 0\n";
     for (const double x : xs)
         for (const double y : ys)
@@ -81,7 +83,8 @@ void mutate(const std::string& text, Read read) {
     std::mt19937 random(5);
     for (int i = 0; i < 5000; ++i) {
         std::string changed = text;
-        for (unsigned n = 1 + random() % 3; n > 0; --n) changed[random() % changed.size()] = static_cast<char>(random());
+        for (unsigned n = 1 + random() % 3; n > 0; --n)
+            changed[random() % changed.size()] = static_cast<char>(random());
         read(changed);
     }
 }
@@ -98,8 +101,9 @@ TEST(CalData, SurvivesEveryBeginningAndThousandsOfChanges) {
 }
 
 TEST(CalModules, SurviveEveryBeginningAndThousandsOfChanges) {
-    const std::string text = "{ a {nested} comment }\nPIH : 3.14159/2;\nf(x,y) = if(x-.5, f(x-1,y)*y, -y^2e0);\n"
-                             "v`P = f(3,A1) + select(2,Dx,`max(Dy,1)) / arg(2);\n";
+    const std::string text =
+        "{ a {nested} comment }\nPIH : 3.14159/2;\nf(x,y) = if(x-.5, f(x-1,y)*y, -y^2e0);\n"
+        "v`P = f(3,A1) + select(2,Dx,`max(Dy,1)) / arg(2);\n";
     mutate(text, [](const std::string& changed) {
         const auto result = cal::Module::parse(changed, "t.cal");
         if (!result) {

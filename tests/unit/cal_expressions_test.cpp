@@ -35,12 +35,25 @@ TEST(CalExpressions, BindAsCalcompDoes) {
         const char* text;
         double value;
     } cases[] = {
-        {"x = 1 + 2*3", 7},      {"x = 7-2-1", 4},         {"x = 8/4/2", 1},     {"x = 2^3^2", 512},
+        {"x = 1 + 2*3", 7},
+        {"x = 7-2-1", 4},
+        {"x = 8/4/2", 1},
+        {"x = 2^3^2", 512},
         {"x = -2^2", 4},  // the sign binds closer than the power
-        {"x = 2^-1", 0.5},       {"x = 2*-3", -6},         {"x = 2--3", 5},      {"x = +4 - +1", 3},
-        {"x = (1+2)*3", 9},      {"x = .5e1 + 1.E-1", 5.1}, {"x = {a {nested} one} 2 {b}+{c}3", 5},
-        {"a : 3; x = a*a", 9},   {"x = b; b = 2*c; c : 4", 8}, {"x = 1; x = 2", 2},
-        {";;x = 1;;", 1},        {"a.b_2 = 3; x = a.b_2", 3}, {"p`q = 5; x = p`q", 5}, {"y` = 6; x = y + y`", 12},
+        {"x = 2^-1", 0.5},
+        {"x = 2*-3", -6},
+        {"x = 2--3", 5},
+        {"x = +4 - +1", 3},
+        {"x = (1+2)*3", 9},
+        {"x = .5e1 + 1.E-1", 5.1},
+        {"x = {a {nested} one} 2 {b}+{c}3", 5},
+        {"a : 3; x = a*a", 9},
+        {"x = b; b = 2*c; c : 4", 8},
+        {"x = 1; x = 2", 2},
+        {";;x = 1;;", 1},
+        {"a.b_2 = 3; x = a.b_2", 3},
+        {"p`q = 5; x = p`q", 5},
+        {"y` = 6; x = y + y`", 12},
     };
     for (const auto& c : cases) EXPECT_DOUBLE_EQ(value(c.text), c.value) << c.text;
 }
@@ -91,7 +104,8 @@ TEST(CalExpressions, RecursionEndsOrIsRefused) {
 TEST(CalExpressions, CirclesAreNamed) {
     EXPECT_THAT(error("x = x + 1"), HasSubstr("'x' is defined by itself: x -> x"));
     EXPECT_THAT(error("x = a; a = b; b = c*2; c = a"), HasSubstr("defined by itself"));
-    EXPECT_THAT(error("x = f(1); f(v) = v + a; a = f(2)"), testing::ContainsRegex("'a' is defined by itself: a -> f -> a"));
+    EXPECT_THAT(error("x = f(1); f(v) = v + a; a = f(2)"),
+                testing::ContainsRegex("'a' is defined by itself: a -> f -> a"));
     EXPECT_EQ(value("x = 1; unused = unused"), 1);  // what nothing asks for is left alone
 }
 
@@ -156,18 +170,56 @@ TEST(CalFunctions, HaveTheirKnownValues) {
         const char* text;
         double value;
     } cases[] = {
-        {"sin(PI/6)", 0.5}, {"cos(60*DEGREE)", 0.5}, {"tan(PI/4)", 1}, {"asin(1)", std::numbers::pi / 2},
-        {"acos(-1)", std::numbers::pi}, {"atan(1)", std::numbers::pi / 4}, {"atan2(1,-1)", 0.75 * std::numbers::pi},
-        {"exp(1)", std::numbers::e}, {"log(exp(2))", 2}, {"log10(1000)", 3}, {"sqrt(9)", 3}, {"floor(-1.5)", -2},
-        {"ceil(-1.5)", -1}, {"erf(0) + erfc(0)", 1}, {"Acos(2)", 0}, {"Asin(-2)", -std::numbers::pi / 2},
-        {"Atan2(0,0)", 0}, {"Exp(-1000)", 0}, {"Sqrt(-4)", 0}, {"abs(-3)", 3}, {"sgn(-3)", -1}, {"sgn(0)", 0},
-        {"sq(3)", 9}, {"bound(1,5,3)", 3}, {"mod(-1,3)", 2}, {"frac(-0.25)", 0.75}, {"tri(350,180)", 10},
-        {"tri(190,90)", 10}, {"linterp(.25,4,8)", 5}, {"clip(1.5)", 1}, {"noneg(-1)", 0}, {"noop(-1)", -1},
-        {"red(1,2,3) + green(1,2,3) + blue(1,2,3)", 6}, {"clipgrey(2,2,2)", 1}, {"xor(1,-1)", 1}, {"xor(1,1)", -1},
-        {"not(0)", 1}, {"inside(0,1,2)", 1}, {"inside(0,3,2)", -1}, {"fade(1,3,1)", 2}, {"fade(1,3,16)", 3},
-        {"hermite(1,5,9,9,0)", 1}, {"hermite(1,5,9,9,1)", 5}, {"hermite(0,1,1,1,.3)", 0.3},
-        {"bezier(1,9,9,4,0)", 1}, {"bezier(1,9,9,4,1)", 4}, {"bezier(1,2,3,4,.5)", 2.5}, {"bspline(2,2,2,2,.4)", 2},
-        {"bspline(1,2,3,4,.25)", 2.25}, {"unif2norm(.5)", 0},
+        {"sin(PI/6)", 0.5},
+        {"cos(60*DEGREE)", 0.5},
+        {"tan(PI/4)", 1},
+        {"asin(1)", std::numbers::pi / 2},
+        {"acos(-1)", std::numbers::pi},
+        {"atan(1)", std::numbers::pi / 4},
+        {"atan2(1,-1)", 0.75 * std::numbers::pi},
+        {"exp(1)", std::numbers::e},
+        {"log(exp(2))", 2},
+        {"log10(1000)", 3},
+        {"sqrt(9)", 3},
+        {"floor(-1.5)", -2},
+        {"ceil(-1.5)", -1},
+        {"erf(0) + erfc(0)", 1},
+        {"Acos(2)", 0},
+        {"Asin(-2)", -std::numbers::pi / 2},
+        {"Atan2(0,0)", 0},
+        {"Exp(-1000)", 0},
+        {"Sqrt(-4)", 0},
+        {"abs(-3)", 3},
+        {"sgn(-3)", -1},
+        {"sgn(0)", 0},
+        {"sq(3)", 9},
+        {"bound(1,5,3)", 3},
+        {"mod(-1,3)", 2},
+        {"frac(-0.25)", 0.75},
+        {"tri(350,180)", 10},
+        {"tri(190,90)", 10},
+        {"linterp(.25,4,8)", 5},
+        {"clip(1.5)", 1},
+        {"noneg(-1)", 0},
+        {"noop(-1)", -1},
+        {"red(1,2,3) + green(1,2,3) + blue(1,2,3)", 6},
+        {"clipgrey(2,2,2)", 1},
+        {"xor(1,-1)", 1},
+        {"xor(1,1)", -1},
+        {"not(0)", 1},
+        {"inside(0,1,2)", 1},
+        {"inside(0,3,2)", -1},
+        {"fade(1,3,1)", 2},
+        {"fade(1,3,16)", 3},
+        {"hermite(1,5,9,9,0)", 1},
+        {"hermite(1,5,9,9,1)", 5},
+        {"hermite(0,1,1,1,.3)", 0.3},
+        {"bezier(1,9,9,4,0)", 1},
+        {"bezier(1,9,9,4,1)", 4},
+        {"bezier(1,2,3,4,.5)", 2.5},
+        {"bspline(2,2,2,2,.4)", 2},
+        {"bspline(1,2,3,4,.25)", 2.25},
+        {"unif2norm(.5)", 0},
     };
     for (const auto& c : cases) {
         // unif2norm is good to 0.00045 by its source; the others to some roundings.

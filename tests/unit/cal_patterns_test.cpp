@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -13,7 +14,6 @@
 #include <random>
 #include <string>
 #include <thread>
-#include <unistd.h>
 #include <vector>
 
 namespace luxdeck {
@@ -33,17 +33,21 @@ protected:
         std::ofstream(folder_ / name, std::ios::binary) << text;
     }
     [[nodiscard]] Result<std::shared_ptr<const Pattern>> make(PatternKind kind, std::vector<std::string> strings,
-                                                              std::vector<double> reals = {}, const Matrix4d& toWorld = {}) const {
+                                                              std::vector<double> reals = {},
+                                                              const Matrix4d& toWorld = {}) const {
         CalLibrary library({folder_ / "scene"});
-        return makePattern(kind, {std::move(strings), std::move(reals), folder_ / "scene", toWorld, "s.rad:3"}, library);
+        return makePattern(kind, {std::move(strings), std::move(reals), folder_ / "scene", toWorld, "s.rad:3"},
+                           library);
     }
     [[nodiscard]] std::shared_ptr<const Pattern> made(PatternKind kind, std::vector<std::string> strings,
-                                                      std::vector<double> reals = {}, const Matrix4d& toWorld = {}) const {
+                                                      std::vector<double> reals = {},
+                                                      const Matrix4d& toWorld = {}) const {
         auto result = make(kind, std::move(strings), std::move(reals), toWorld);
         EXPECT_TRUE(result) << result.error().text();
         return result ? *result : nullptr;
     }
-    [[nodiscard]] std::string error(PatternKind kind, std::vector<std::string> strings, std::vector<double> reals = {}) const {
+    [[nodiscard]] std::string error(PatternKind kind, std::vector<std::string> strings,
+                                    std::vector<double> reals = {}) const {
         const auto result = make(kind, std::move(strings), std::move(reals));
         return result ? "no error" : result.error().text();
     }
@@ -71,19 +75,22 @@ TEST_F(CalPatterns, BuiltInFilesAllCompile) {
         EXPECT_TRUE(cal::Module::parse(cal::builtinFile(name), std::string(name))) << name;
     const std::vector<double> reals(15, 0.4);
     const std::vector<std::pair<std::string, std::vector<std::string>>> names = {
-        {"source.cal", {"src_theta", "src_phi", "src_phi2+90", "src_phi4", "srcB_vert+360", "srcB_horiz+360", "srcB_vert2",
-                        "srcB_horiz2", "corr(1)", "flatcorr(1)", "boxcorr(1)", "lboxcorr(1)", "cylcorr(1)"}},
+        {"source.cal",
+         {"src_theta", "src_phi", "src_phi2+90", "src_phi4", "srcB_vert+360", "srcB_horiz+360", "srcB_vert2",
+          "srcB_horiz2", "corr(1)", "flatcorr(1)", "boxcorr(1)", "lboxcorr(1)", "cylcorr(1)"}},
         {"tilt.cal", {"tilt_ang", "tilt_ang2", "tilt_xang", "tilt_xang2"}},
         {"skybright.cal", {"skybr", "skybright"}},
         {"perezlum.cal", {"skybr", "skybright"}},
-        {"picture.cal", {"pic_u", "pic_v", "tile_u", "tile_v", "match_u", "match_v", "stag_u", "stag_v", "inpic",
-                         "fadered(1,1,1)", "fadegreen(1,1,1)", "fadeblue(1,1,1)", "fadegrey(1,1,1)", "infore(1,1,1)"}},
+        {"picture.cal",
+         {"pic_u", "pic_v", "tile_u", "tile_v", "match_u", "match_v", "stag_u", "stag_v", "inpic", "fadered(1,1,1)",
+          "fadegreen(1,1,1)", "fadeblue(1,1,1)", "fadegrey(1,1,1)", "infore(1,1,1)"}},
         {"tmesh.cal", {"dx+2", "dy+2", "dz+2", "u", "v"}},
         {"surf.cal", {"surf_dx", "surf_dy", "surf_dz"}},
         {"rev.cal", {"rev_dx+9", "rev_dy+9", "rev_dz"}},
         {"illum.cal", {"il_alt+1", "il_azi", "il_alth", "il_azih"}},
-        {".", {"U+9", "V+9", "D(1)+1", "N(2)+1", "P(3)+1", "turbulence(Px,Py,Pz,.1)", "turbulencea(Px,Py,Pz,.1)+9", "nrand(Px)+9",
-               "noise3d(1,Px,Py,Pz)+1", "AC", "S", "Tx+1", "Iy+1", "Kz", "NxP+1", "RdotP", "T", "Ts", "Lu"}}};
+        {".",
+         {"U+9", "V+9", "D(1)+1", "N(2)+1", "P(3)+1", "turbulence(Px,Py,Pz,.1)", "turbulencea(Px,Py,Pz,.1)+9",
+          "nrand(Px)+9", "noise3d(1,Px,Py,Pz)+1", "AC", "S", "Tx+1", "Iy+1", "Kz", "NxP+1", "RdotP", "T", "Ts", "Lu"}}};
     PatternPoint at = along({0.48, 0.6, -0.64}, {-0.6F, 0, 0.8F});
     at.position = {0.2, 0.3, 0.4};
     at.distance = 2;
@@ -121,7 +128,8 @@ TEST_F(CalPatterns, PhotometricLightsGiveTheirIntensity) {
     for (int h = 0; h <= 90; h += 30)
         for (int v = 0; v <= 90; v += 15) data += std::to_string(candela(h, v) / 179) + "\n";
     write("scene/lamp.dat", data);
-    const auto flat = made(PatternKind::BrightData, {"flatcorr", "lamp.dat", "source.cal", "src_phi4", "src_theta"}, {1 / area});
+    const auto flat =
+        made(PatternKind::BrightData, {"flatcorr", "lamp.dat", "source.cal", "src_phi4", "src_theta"}, {1 / area});
     for (double v = 4; v < 89; v += 4)  // straight down all planes meet, and these data do not
         for (double h = 0; h <= 90; h += 9) {
             const Vec3d out = leaving(v, h);
@@ -133,8 +141,10 @@ TEST_F(CalPatterns, PhotometricLightsGiveTheirIntensity) {
         }
     // A box and a cylinder are divided by the area that is seen from there.
     write("scene/even.dat", "1\n0 180 2\n10 10\n");
-    const auto box = made(PatternKind::BrightData, {"boxcorr", "even.dat", "source.cal", "src_theta"}, {2, 0.6, 0.2, 0.1});
-    const auto cylinder = made(PatternKind::BrightData, {"cylcorr", "even.dat", "source.cal", "src_theta"}, {2, 0.3, 0.5});
+    const auto box =
+        made(PatternKind::BrightData, {"boxcorr", "even.dat", "source.cal", "src_theta"}, {2, 0.6, 0.2, 0.1});
+    const auto cylinder =
+        made(PatternKind::BrightData, {"cylcorr", "even.dat", "source.cal", "src_theta"}, {2, 0.3, 0.5});
     const auto sphere = made(PatternKind::BrightData, {"corr", "even.dat", "source.cal", "src_theta"}, {2});
     std::mt19937 random(2);
     std::normal_distribution<double> normal;
@@ -172,9 +182,10 @@ TEST_F(CalPatterns, SkiesFollowTheirFormulas) {
         const double cie = 90 * indicatrix * (1 - std::exp(-0.32 / d.z)) / normalization;
         const double gradation = 1 - std::exp(-0.32 / std::max(d.z, 0.01));
         const double relative = gradation * (1 + 10 * std::exp(-3 * chi) + 0.45 * std::pow(std::cos(chi), 2));
-        const double nakamura = 90 / normalization *
-            ((1.35 * std::sin(5.631 - 3.59 * zeta) + 3.12) * std::sin(4.396 - 2.6 * zenithAngle) + 6.37 - zeta) / 2.326 *
-            std::exp(-0.563 * chi * ((2.629 - zeta) * (1.562 - zenithAngle) + 0.812));
+        const double nakamura =
+            90 / normalization *
+            ((1.35 * std::sin(5.631 - 3.59 * zeta) + 3.12) * std::sin(4.396 - 2.6 * zenithAngle) + 6.37 - zeta) /
+            2.326 * std::exp(-0.563 * chi * ((2.629 - zeta) * (1.562 - zenithAngle) + 0.812));
         // Float directions under a tenth power, and near the sun under 10 exp(-3 chi) whose slope is 30.
         constexpr double kSky = 5e-5;
         EXPECT_NEAR(clear->value(along(d)).r / blended(cie), 1, kSky);
@@ -183,6 +194,9 @@ TEST_F(CalPatterns, SkiesFollowTheirFormulas) {
         EXPECT_NEAR(intermediate->value(along(d)).r / blended(nakamura), 1, kSky);
         EXPECT_NEAR(perez->value(along(d)).r / blended(3 * relative), 1, kSky);
     }
+    // gensky gives an overcast sky three arguments: what clear skies need is not asked for.
+    EXPECT_EQ(made(PatternKind::BrightFunc, {"skybr", "skybright.cal"}, {2, 90, 5})->value(along({0, 0.6, 0.8})),
+              overcast->value(along({0, 0.6, 0.8})));
     // Far below the horizon there is the ground.
     EXPECT_NEAR(overcast->value(along({0, 0, -1})).r, 5, 1e-3);
 }
@@ -200,12 +214,16 @@ TEST_F(CalPatterns, TransformsAreUndone) {
     const struct {
         const char* expression;
         double value;
-    } cases[] = {{"Px", 1}, {"Py", 2}, {"Pz", 3}, {"Dx", 0}, {"Dy", -0.6}, {"Dz", -0.8}, {"Nz", 1}, {"T", 2}, {"Ts", 2},
-                 {"Rdot", 0.8}, {"S", 0.5}, {"Ix", 0}, {"Iy", -1}, {"Jx", 1}, {"Kz", 1}, {"Tx", -10}, {"Ty", 5}, {"Tz", -15}};
-    for (const auto& c : cases) EXPECT_NEAR(value(c.expression), c.value, 1e-5) << c.expression;  // a float of about 100
-    EXPECT_THAT(make(PatternKind::BrightFunc, {"Px", "."}, {}, Matrix4d(0.0)).error().text(), HasSubstr("s.rad:3: a transform"));
+    } cases[] = {{"Px", 1},  {"Py", 2}, {"Pz", 3}, {"Dx", 0},     {"Dy", -0.6}, {"Dz", -0.8},
+                 {"Nz", 1},  {"T", 2},  {"Ts", 2}, {"Rdot", 0.8}, {"S", 0.5},   {"Ix", 0},
+                 {"Iy", -1}, {"Jx", 1}, {"Kz", 1}, {"Tx", -10},   {"Ty", 5},    {"Tz", -15}};
+    for (const auto& c : cases)
+        EXPECT_NEAR(value(c.expression), c.value, 1e-5) << c.expression;  // a float of about 100
+    EXPECT_THAT(make(PatternKind::BrightFunc, {"Px", "."}, {}, Matrix4d(0.0)).error().text(),
+                HasSubstr("s.rad:3: a transform"));
     CalLibrary library({folder_});
-    const auto expressions = makeRayExpressions(std::array<std::string, 2>{"Px", "CrP"}, ".", {{}, {}, folder_, m, "s.rad:3"}, library);
+    const auto expressions =
+        makeRayExpressions(std::array<std::string, 2>{"Px", "CrP"}, ".", {{}, {}, folder_, m, "s.rad:3"}, library);
     ASSERT_TRUE(expressions);
     std::array<double, 2> values{};
     (*expressions)->evaluate(at, Rgb{0.25F}, values);
@@ -222,11 +240,14 @@ TEST_F(CalPatterns, EveryKindReadsItsArguments) {
     write("scene/c.dat", "1 0 1 2  0 3");
     PatternPoint at = along({0, 0, -1});
     at.position = {0.5, 0.25, 0};
-    const auto value = [&](PatternKind kind, std::vector<std::string> strings) { return made(kind, std::move(strings))->value(at); };
+    const auto value = [&](PatternKind kind, std::vector<std::string> strings) {
+        return made(kind, std::move(strings))->value(at);
+    };
     EXPECT_EQ(value(PatternKind::BrightFunc, {"mix*2", "f.cal"}), Rgb{1.0F});
     EXPECT_EQ(value(PatternKind::ColorFunc, {"Px", "Py", "1", "."}), Rgb(0.5F, 0.25F, 1));
     EXPECT_EQ(value(PatternKind::BrightData, {"half", "b.dat", "f.cal", "-Py+1"}), Rgb{0.75F});
-    EXPECT_EQ(value(PatternKind::ColorData, {"noop", "half", "sum", "a.dat", "b.dat", "c.dat", "f.cal", "Px"}), Rgb(0.5F, 0.5F, 3));
+    EXPECT_EQ(value(PatternKind::ColorData, {"noop", "half", "sum", "a.dat", "b.dat", "c.dat", "f.cal", "Px"}),
+              Rgb(0.5F, 0.5F, 3));
     EXPECT_EQ(value(PatternKind::MixFunc, {"front", "back", "mix", "f.cal"}), Rgb{0.5F});
     EXPECT_EQ(value(PatternKind::MixFunc, {"front", "back", "big", "f.cal"}), Rgb{1.0F});  // a fraction
     EXPECT_EQ(value(PatternKind::MixData, {"front", "back", "half", "a.dat", "f.cal", "Px"}), Rgb{0.25F});
@@ -236,8 +257,10 @@ TEST_F(CalPatterns, EveryKindReadsItsArguments) {
     EXPECT_FALSE(patternKind("plastic"));
     const std::vector<std::string> strings{"corr", "a.dat", "source.cal", "-Px", "Py", "-rz", "90"};
     EXPECT_EQ(firstTransformArgument(PatternKind::BrightData, strings), 5U);
-    EXPECT_NE(made(PatternKind::BrightFunc, {"A1", "."}, {1})->identity(), made(PatternKind::BrightFunc, {"A1", "."}, {2})->identity());
-    EXPECT_EQ(made(PatternKind::BrightFunc, {"A1", "."}, {1})->identity(), made(PatternKind::BrightFunc, {"A1", "."}, {1})->identity());
+    EXPECT_NE(made(PatternKind::BrightFunc, {"A1", "."}, {1})->identity(),
+              made(PatternKind::BrightFunc, {"A1", "."}, {2})->identity());
+    EXPECT_EQ(made(PatternKind::BrightFunc, {"A1", "."}, {1})->identity(),
+              made(PatternKind::BrightFunc, {"A1", "."}, {1})->identity());
 }
 
 TEST_F(CalPatterns, PicturesComeRawWithTheirShorterSideOne) {
@@ -247,7 +270,8 @@ TEST_F(CalPatterns, PicturesComeRawWithTheirShorterSideOne) {
         bytes += {static_cast<char>(level), static_cast<char>(level / 2), 0, static_cast<char>(129)};
     write("scene/p.hdr", bytes);
     const auto red = [](int level) { return (level + 0.5) / 128; };  // mantissas stand for the middle of their interval
-    const auto pattern = made(PatternKind::ColorPict, {"red", "green", "blue", "p.hdr", "picture.cal", "pic_u", "pic_v"});
+    const auto pattern =
+        made(PatternKind::ColorPict, {"red", "green", "blue", "p.hdr", "picture.cal", "pic_u", "pic_v"});
     const auto mix = made(PatternKind::MixPict, {"a", "b", "red", "p.hdr", "picture.cal", "pic_u", "pic_v"});
     const auto at = [&](double u, double v) {
         PatternPoint p = along({0, 0, -1});
@@ -275,7 +299,8 @@ TEST_F(CalPatterns, FilesAreFoundInTheirFoldersAndNowhereElse) {
     for (const auto& name : {std::string("../secret.cal"), std::string("link.cal"), (folder_ / "secret.cal").string()})
         EXPECT_THAT(error(kind, {"x", name}), testing::AllOf(HasSubstr("s.rad:3: "), HasSubstr("outside"))) << name;
     EXPECT_THAT(error(kind, {"x", "gone.cal"}),
-                testing::AllOf(HasSubstr("s.rad:3: 'gone.cal' is not found"), HasSubstr((folder_ / "scene").string()), HasSubstr("source.cal")));
+                testing::AllOf(HasSubstr("s.rad:3: 'gone.cal' is not found"), HasSubstr((folder_ / "scene").string()),
+                               HasSubstr("source.cal")));
     EXPECT_THAT(error(PatternKind::BrightData, {"noop", "gone.dat", ".", "Px"}), HasSubstr("'gone.dat' is not found"));
 }
 
@@ -284,19 +309,23 @@ TEST_F(CalPatterns, WhatIsWrongIsSaidWithItsPlace) {
     write("scene/lazy.cal", "\nx = y;\nz = A3;\nforever(v) = forever(v+1);\n");
     write("scene/a.dat", "2 0 1 2 0 1 2 1 2 3 4");
     const auto kind = PatternKind::BrightFunc;
-    EXPECT_THAT(error(kind, {"a", "bad.cal"}), testing::AllOf(HasSubstr("bad.cal:2: ';', expected"), HasSubstr("asked for by s.rad:3")));
+    EXPECT_THAT(error(kind, {"a", "bad.cal"}),
+                testing::AllOf(HasSubstr("bad.cal:2: ';', expected"), HasSubstr("asked for by s.rad:3")));
     EXPECT_THAT(error(kind, {"x", "lazy.cal"}), HasSubstr("lazy.cal:2: 'y' is not defined"));
-    EXPECT_THAT(error(kind, {"z", "lazy.cal"}, {1, 2}), HasSubstr("asks for a real argument that is not given (2 real"));
+    EXPECT_THAT(error(kind, {"z", "lazy.cal"}, {1, 2}),
+                HasSubstr("asks for a real argument that is not given (2 real"));
     EXPECT_THAT(error(kind, {"forever(Px)", "lazy.cal"}), HasSubstr("without end"));
     EXPECT_THAT(error(kind, {"1 +", "."}), HasSubstr("s.rad:3: in the expression '1 +': the end, expected"));
     EXPECT_THAT(error(kind, {"CrP", "."}), HasSubstr("only materials have a colour"));
     EXPECT_THAT(error(kind, {"1"}), HasSubstr("has 1 string arguments, expected at least 2"));
-    EXPECT_THAT(error(PatternKind::BrightData, {"noop", "a.dat", ".", "Px"}), HasSubstr("1 variables for data of 2 dimensions"));
+    EXPECT_THAT(error(PatternKind::BrightData, {"noop", "a.dat", ".", "Px"}),
+                HasSubstr("1 variables for data of 2 dimensions"));
     EXPECT_THAT(error(PatternKind::BrightData, {"nope", "a.dat", ".", "Px", "Py"}), HasSubstr("'nope' is not defined"));
 }
 
 TEST_F(CalPatterns, ThreadsGetTheSameBits) {
-    write("scene/t.cal", "f(n) = if(n-.5, noise3(Px*n,Py,Pz) + f(n-1), 2); w = f(5); v = w*w + turbulence(Px,Py,Pz,.1);");
+    write("scene/t.cal",
+          "f(n) = if(n-.5, noise3(Px*n,Py,Pz) + f(n-1), 2); w = f(5); v = w*w + turbulence(Px,Py,Pz,.1);");
     const auto pattern = made(PatternKind::BrightFunc, {"v+w", "t.cal"});
     const auto values = [&] {
         std::vector<float> result;

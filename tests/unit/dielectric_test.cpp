@@ -4,6 +4,7 @@
 
 #include "engine/transport/surface/bsdf.h"
 #include "engine/transport/tracer/media.h"
+#include "tests/support/estimate.h"
 #include "tests/support/eye.h"
 
 #include <gtest/gtest.h>
@@ -185,6 +186,22 @@ TEST(Solids, ClearOnesVanishInAUniformField) {
             const double n = nested.back().ior;
             expectSeen(seenBy(lit, {0.1F, 0.05F, 0.2F}, {0.1F, 0.15F, -0.98F}), 1000 * n * n, "from inside");
         }
+}
+
+// A lamp and a sensor in one solid: what is between them absorbs. A lamp outside, given as a point, lights nothing inside.
+TEST(Solids, ShadowRaysInsideLoseLightToo) {
+    SceneBuilder b;
+    b.box({-2, -2, -2}, {2, 2, 2}, b.material(solid(1.0F, 0.3F)), false);
+    b.isotropic({0, 0, 1}, 4 * kPiD * 1000);
+    const Lit lit(b.build());
+    SensorQuery sensor = facing({0, 0, -0.5F}, {0, 0, 1});
+    SensorSample sample;
+    (void)lit.estimator("path")->irradiance({&sensor, 1}, {&sample, 1});
+    const double expected = 1000 / 2.25 * std::pow(0.3, 1.5);
+    EXPECT_NEAR(sample.total().g, expected, 1e-4 * expected);  // a point lamp: float rounding, offset of the sensor
+    sensor.position.z = -3;
+    (void)lit.estimator("path")->irradiance({&sensor, 1}, {&sample, 1});
+    EXPECT_EQ(sample.total().g, 0) << "shadow rays do not bend";
 }
 
 TEST(Solids, AbsorbingOnesNeverGiveMore) {

@@ -248,6 +248,22 @@ TEST_F(Gltf, Materials) {
     EXPECT_EQ(material({{"pbrMetallicRoughness", {{"baseColorFactor", {2, 0, 0, 1}}}}}).reflectance.r, 1.0F);
 }
 
+TEST_F(Gltf, AlphaModes) {
+    const auto withAlpha = [&](const char* mode, double alpha, const json& cutoff = nullptr) {
+        json j = {{"alphaMode", mode}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, alpha}}}}};
+        if (!cutoff.is_null()) j["alphaCutoff"] = cutoff;
+        return material(j);
+    };
+    EXPECT_FALSE(withAlpha("OPAQUE", 0.25).hasHoles());
+    const auto blend = withAlpha("BLEND", 0.25);
+    EXPECT_TRUE(blend.alphaBlend);
+    EXPECT_EQ(blend.alpha, 0.25F);
+    EXPECT_FALSE(withAlpha("BLEND", 1).hasHoles()) << "marked, but solid";
+    EXPECT_EQ(withAlpha("MASK", 0.25).alphaCutoff, 0.5F);
+    EXPECT_FALSE(withAlpha("MASK", 0.25, 0.2).hasHoles());
+    EXPECT_EQ(withAlpha("MASK", 0.25, 2).alphaCutoff, 2);
+}
+
 TEST_F(Gltf, TexturesAreSharedAndTransformed) {
     auto m = triangle();
     m.doc["images"] = {{{"bufferView", m.view(onePixelPng(255, 128, 0))}, {"mimeType", "image/png"}}};

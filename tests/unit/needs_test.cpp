@@ -63,6 +63,21 @@ TEST(SceneNeeds, EachFeatureIsSeen) {
     check([](Scene& s) { s.luminaires.resize(kManyLights, s.luminaires[0]); }, [](SceneNeeds&) {}, "just few enough luminaires");
     check([](Scene& s) { s.luminaires.resize(kManyLights + 1, s.luminaires[0]); }, [](SceneNeeds& n) { n.manyLights = true; }, "many luminaires");
     check([](Scene& s) { s.origin.x = 1e6; }, [](SceneNeeds& n) { n.rebasing = true; }, "far away");
+    check([](Scene& s) { s.materials[0].kind = MaterialKind::Ward, s.materials[0].wardU = s.materials[0].wardV = 0.1F; }, [](SceneNeeds& n) { n.glossy = true; }, "a Ward lobe");
+    check([](Scene& s) { s.materials[0].kind = MaterialKind::Ward; }, [](SceneNeeds& n) { n.glossy = n.specularChains = true; }, "a Ward surface with a perfect gloss");
+    check([](Scene& s) { s.materials[0].kind = MaterialKind::Ward, s.materials[0].specular = Rgb(0.0F), s.materials[0].diffuseTransmittance = Rgb(0.2F); },
+          [](SceneNeeds& n) { n.glossy = n.scatteredTransmission = true; }, "light scattered through");
+    check([](Scene& s) { s.materials[0].kind = MaterialKind::Ward, s.materials[0].specularTransmittance = Rgb(0.2F); },
+          [](SceneNeeds& n) { n.glossy = n.specularChains = n.transmission = true; }, "light straight through");
+    check([](Scene& s) { s.materials[0].kind = MaterialKind::Dielectric; }, [](SceneNeeds& n) { n.glossy = n.specularChains = n.dielectrics = true; }, "solid");
+    check([](Scene& s) { s.materials[0].alphaBlend = true; }, [](SceneNeeds& n) { n.alpha = n.transmission = true; }, "holes");
+    check([](Scene& s) { s.materials[0].reflectancePattern = 0; }, [](SceneNeeds& n) { n.patterns = n.colour = true; }, "pattern");
+    check([](Scene& s) {
+              s.materials[0].kind = MaterialKind::Mix;
+              s.materials[0].mixFirst = s.materials[0].mixSecond = static_cast<std::uint32_t>(s.materials.size());
+              s.materials.push_back({}), s.materials.back().kind = MaterialKind::ThinGlass;
+          },
+          [](SceneNeeds& n) { n.patterns = n.colour = n.glossy = n.specularChains = n.transmission = true; }, "a mixture with a pane");
     check([](Scene& s) { s.materials.push_back({}), s.materials.back().kind = MaterialKind::Mirror; }, [](SceneNeeds&) {}, "a mirror that no mesh uses");
 }
 

@@ -119,10 +119,20 @@ TEST_F(ProjectTest, ReferencesMustBeThere) {
 }
 
 TEST_F(ProjectTest, Choices) {
-    EXPECT_EQ(refused("kind = \"cie-overcast\"", "kind = \"cie-clear\"").code, ErrorCode::Unsupported);
+    EXPECT_EQ(refused("kind = \"cie-overcast\"", "kind = \"preetham\"").code, ErrorCode::Unsupported);
     EXPECT_THAT(refused("kind = \"plastic\"", "kind = \"plastik\"").message, HasSubstr("did you mean \"plastic\"?"));
     EXPECT_THAT(refused("unit = \"m\"", "unit = \"yd\"").message, HasSubstr("expected one of \"m\", \"cm\""));
     EXPECT_THAT(refused("schema = \"luxdeck-project/1\"", "schema = \"luxdeck-project/2\"").message, HasSubstr("expected \"luxdeck-project/1\""));
+}
+
+TEST_F(ProjectTest, WardSurfacesGiveBackAtMostWhatTheyGet) {
+    constexpr const char* kPlastic = "kind = \"plastic\"\nreflectance = [0.3, 0.25, 0.2]\nspecular = 0.05\nroughness = 0.4";
+    EXPECT_THAT(refused(kPlastic, "kind = \"trans\"\nreflectance = 0.5\ndiffuse_transmittance = 0.6", -1).message,
+                HasSubstr("sums to 1.1, expected at most 1"));
+    EXPECT_THAT(refused(kPlastic, "kind = \"ward\"\nreflectance = 0.5\nroughness_u = 0.1\nroughness_v = 0", -3).message,
+                HasSubstr("expected both 0 or none"));
+    EXPECT_THAT(refused(kPlastic, "kind = \"ward\"\nreflectance = 0.5\ndiffuse_transmittance = 0.1", -2).message, HasSubstr("it belongs to trans"));
+    EXPECT_THAT(refused(kPlastic, "kind = \"dielectric\"\nior = 1.5\ntransmittance_per_metre = 1.5", -2).message, HasSubstr("expected 0 .. 1"));
 }
 
 TEST_F(ProjectTest, KeysOfAnotherKindOfMaterialAreRefused) {

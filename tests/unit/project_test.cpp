@@ -79,6 +79,35 @@ TEST_F(ProjectTest, ReplacesMaterialsByName) {
     EXPECT_EQ(floor->source, "data sheet");
 }
 
+TEST_F(ProjectTest, ReadsWardSurfacesAndSolids) {
+    const auto floor = [&](const std::string& as) {
+        std::string text = kWhole;
+        const std::string plastic = "kind = \"plastic\"\nreflectance = [0.3, 0.25, 0.2]\nspecular = 0.05\nroughness = 0.4";
+        text.replace(text.find(plastic), plastic.size(), as);
+        const auto project = load(text);
+        EXPECT_TRUE(project) << project.error().text();
+        Material none;
+        if (!project) return none;
+        for (const auto& m : project->scene.materials)
+            if (m.name == "floor_paint") return m;
+        return none;
+    };
+    const auto trans = floor("kind = \"trans\"\nreflectance = 0.2\ndiffuse_transmittance = 0.3\nspecular_transmittance = [0.1, 0.2, 0.3]\n"
+                             "roughness_u = 0.1\nroughness_v = 0.2\ngrain = [0, 1, 0]");
+    EXPECT_EQ(trans.kind, MaterialKind::Ward);
+    EXPECT_EQ(trans.specular, Rgb(0.0F));
+    EXPECT_EQ(trans.diffuseTransmittance, Rgb(0.3F));
+    EXPECT_EQ(trans.specularTransmittance, Rgb(0.1F, 0.2F, 0.3F));
+    EXPECT_EQ(trans.wardU, 0.1F);
+    EXPECT_EQ(trans.wardV, 0.2F);
+    EXPECT_EQ(trans.grain, Vec3(0, 1, 0));
+    const auto ward = floor("kind = \"ward\"\nreflectance = 0.2\nspecular = 0.1\nroughness_u = 0.1");
+    EXPECT_EQ(ward.wardV, 0.1F);
+    const auto solid = floor("kind = \"dielectric\"\nior = 1.33");
+    EXPECT_EQ(solid.kind, MaterialKind::Dielectric);
+    EXPECT_EQ(solid.transmittance, Rgb(1.0F));
+}
+
 TEST_F(ProjectTest, PlacesLuminairesInRowsAndByName) {
     const auto project = load(kWhole);
     ASSERT_TRUE(project) << project.error().text();

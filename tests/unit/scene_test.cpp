@@ -27,6 +27,14 @@ std::string refused(const std::function<void(Scene&)>& change) {
 }
 
 TEST(ValidateScene, RefusesWhatTheStagesRelyOn) {
+    const auto ward = [](Scene& s) -> Material& { return s.materials[0].kind = MaterialKind::Ward, s.materials[0]; };
+    EXPECT_THAT(refused([&](Scene& s) { ward(s).specular = Rgb(0.9F); }), HasSubstr("expected at most 1"));
+    EXPECT_THAT(refused([&](Scene& s) { ward(s).wardU = 0.1F; }), HasSubstr("ward widths are 0.1 and 0"));
+    EXPECT_THAT(refused([](Scene& s) { s.materials[0].diffuseTransmittance.r = -1; }), HasSubstr("diffuse transmittance is (-1, 0, 0)"));
+    EXPECT_THAT(refused([](Scene& s) { s.materials[0].emissionPattern = 0; }), HasSubstr("emission pattern 0, expected one below 0"));
+    EXPECT_THAT(refused([](Scene& s) { s.materials[0].kind = MaterialKind::Mix; }), HasSubstr("a mixture without a pattern"));
+    EXPECT_THAT(refused([](Scene& s) { s.materials[0].alphaCutoff = -1; }), HasSubstr("alpha cutoff is -1"));
+    EXPECT_THAT(refused([](Scene& s) { s.materials[0].alpha = 2; }), HasSubstr("alpha is 2"));
     EXPECT_THAT(refused([](Scene& s) { s.materials[0].reflectance.g = 1.01F; }), HasSubstr("reflectance is (0.65, 1.01, 0.65), expected fractions 0..1"));
     EXPECT_THAT(refused([](Scene& s) { s.materials[1].specular.b = -0.1F; }), HasSubstr("material 1"));
     EXPECT_THAT(refused([](Scene& s) { s.materials[0].transmittance.r = kNan; }), HasSubstr("transmittance"));

@@ -5,6 +5,7 @@
 #include "engine/transport/sensor/shared_light.h"
 #include "engine/transport/tracer/mirrored_light.h"
 #include "engine/transport/tracer/light_choice.h"
+#include "engine/transport/tracer/media.h"
 #include "engine/transport/tracer/shadow.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace {
 /// Chooses a light for every sensor; contributions that are not shadowed go to `samples`.
 class LightRound {
 public:
-    LightRound(const TransportScene& scene, std::size_t count, int perPath) : scene_(scene), perPath_(perPath) {
+    LightRound(const TransportScene& scene, std::size_t count, int perPath) : scene_(scene), perPath_(perPath), media_(scene) {
         rays_.reserve(count), contributions_.reserve(count);
     }
 
@@ -105,6 +106,8 @@ private:
             if (shadowed_[i] != 0) continue;
             Rgb contribution = contributions_[i].light;
             if (scene_.needs.transmission) contribution *= paneTransmittance(scene_, rays_[i], counters);
+            if (scene_.needs.dielectrics)  // a sensor inside a solid, and a light in the same
+                contribution *= media_.at(rays_[i].origin, counters).transmittance(rays_[i].tMax / (1 - kShadowShortening));
             samples[contributions_[i].index].direct += contribution;
             if (shares != nullptr) shares->push_back({contribution, contributions_[i].index, contributions_[i].source, true});
         }
@@ -126,6 +129,7 @@ private:
     std::vector<Mirrored> mirrored_;
     std::vector<Place> places_;
     std::size_t last_ = 0;  // where in places_ the next query probably is
+    MediaFinder media_;
     std::vector<Ray> rays_;
     std::vector<Contribution> contributions_;
     std::vector<std::uint8_t> shadowed_;
@@ -172,6 +176,7 @@ TransportCounters gatherIlluminance(const TransportScene& scene, const TracerSet
     auto tracer = settings;
     std::vector<FirstBounce> bounces(sensors.share ? queries.size() : 0);
     tracer.bounces = bounces;
+    tracer.goesOn = sensors.share ? sensors.goesOn : 1;
     counters += tracePaths(scene, tracer, directions, radiances);
     if (sensors.share) {
         std::vector<Rgb> reflected(queries.size());

@@ -10,6 +10,7 @@ namespace luxdeck {
 /// How sensors look for light.
 struct SensorSettings {
     int lightSamples = 1;  // shadow rays to chosen lights for every path
+    float goesOn = 1;      // with share: the part of the paths that go on from a matte surface that the group sees
     bool share = false;    // sensors of a group take what each other's paths found on matte surfaces
 };
 

@@ -2,6 +2,7 @@
 
 #include "engine/transport/sensor/sensor_weight.h"
 #include "engine/transport/surface/bsdf.h"
+#include "engine/transport/tracer/shadow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ public:
         scene_.raycaster.occluded(rays_, shadowed_, Targets::Surfaces);
         counters.rays += rays_.size();
         for (std::size_t r = 0; r < rays_.size(); ++r)
-            if (shadowed_[r] != 0) weights_[pairs_[r]] = 0;
+            if (shadowed_[r] != 0) lookThroughPanes(r, counters);
         for (std::size_t y = 0; y < sensors.size(); ++y) {
             const Rgb own = reflected[y] - (shared(y) ? bounces[y].diffuse : Rgb{});
             samples[y].indirect += Rgb(std::max(own.r, 0.0F), std::max(own.g, 0.0F), std::max(own.b, 0.0F)) * kPi;
@@ -46,10 +47,23 @@ private:
         return sensorWeight(sensor.kind, dot(towards, sensor.normal) / std::sqrt(d2)) / d2;
     }
 
+    /// Something is in the way of a ray: panes dim it, all else ends it.
+    void lookThroughPanes(std::size_t r, TransportCounters& counters) {
+        std::uint8_t blocked = 1;
+        if (scene_.needs.transmission) {
+            scene_.raycaster.occluded({&rays_[r], 1}, {&blocked, 1}, Targets::Opaque);
+            ++counters.rays;
+        }
+        const auto passage = blocked != 0 ? Passage{Rgb{}, 0} : passageThroughPanes(scene_, rays_[r], counters);
+        weights_[pairs_[r]] *= passage.chance;
+        if (passage.chance > 0) passed_[pairs_[r]] = passage.transmittance * (1 / passage.chance);
+    }
+
     /// Row y, column i of the weights, and a ray for each pair that has one and is not a path's own.
     void aimRays() {
         const std::size_t n = sensors_.size();
         weights_.assign(n * n, 0.0F);
+        if (scene_.needs.transmission) passed_.assign(n * n, Rgb(1.0F));
         rays_.clear(), pairs_.clear(), origins_.clear();
         for (const auto& sensor : sensors_) origins_.push_back(receiverOf(sensor).position);
         for (std::size_t y = 0; y < n; ++y) {
@@ -58,7 +72,7 @@ private:
                 const Vec3 towards = bounces_[y].position - origins_[i];
                 const float w = density(sensors_[i], towards, bounces_[y]);
                 weights_[y * n + i] = w;
-                if (i == y || !(w > 0)) continue;
+                if (!(w > 0) || (i == y && !bounces_[y].behindPanes)) continue;
                 const float d = towards.length();
                 rays_.push_back({origins_[i], 0, towards / d, d * (1 - kShortening)});
                 pairs_.push_back(y * n + i);
@@ -76,11 +90,13 @@ private:
         }
         const auto& bounce = bounces_[y];
         const auto coat = coatOf(y);
-        const Rgb light = coat ? quotient(bounce.diffuse, coat->diffuseFactor(cosineTo(y, bounce))) : bounce.diffuse;
+        const Rgb left = partOf(bounce.diffuse, bounce.passed);  // what left the surface, panes apart
+        const Rgb light = coat ? quotient(left, coat->diffuseFactor(cosineTo(y, bounce))) : left;
         for (std::size_t i = 0; i < n; ++i) {
             const float weight = weights_[y * n + i];
             if (!(weight > 0)) continue;
-            const Rgb received = light * (kPi * weight / sum);
+            Rgb received = light * (kPi * weight / sum);
+            if (scene_.needs.transmission) received *= passed_[y * n + i];
             samples[i].indirect += coat ? received * coat->diffuseFactor(cosineTo(i, bounce)) : received;
         }
     }
@@ -102,6 +118,7 @@ private:
     std::span<const FirstBounce> bounces_;
     std::vector<Vec3> origins_;
     std::vector<float> weights_;  // #bounces x #sensors
+    std::vector<Rgb> passed_;     // #bounces x #sensors: transmittance of panes over the chance of passing; where there are any
     std::vector<Ray> rays_;
     std::vector<std::size_t> pairs_;  // index into weights_
     std::vector<std::uint8_t> shadowed_;

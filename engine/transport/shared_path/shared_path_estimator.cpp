@@ -13,7 +13,7 @@ namespace {
 
 class SharedPathEstimator final : public RadianceEstimator {
 public:
-    SharedPathEstimator(const TransportScene& scene, int maxVertices) : scene_(scene) { settings_.maxVertices = maxVertices; if (getenv("LS")) sensors_.lightSamples = atoi(getenv("LS")); }
+    SharedPathEstimator(const TransportScene& scene, int maxVertices) : scene_(scene) { settings_.maxVertices = maxVertices; if (getenv("LS")) sensors_.lightSamples = atoi(getenv("LS")); if (getenv("GO")) sensors_.goesOn = atof(getenv("GO")); }
 
     TransportCounters radiance(std::span<const RadianceQuery> queries, std::span<RadianceSample> samples) const override {
         return tracePaths(scene_, settings_, queries, samples);
@@ -26,7 +26,7 @@ public:
 private:
     TransportScene scene_;
     TracerSettings settings_;
-    SensorSettings sensors_{.lightSamples = 4, .share = true};
+    SensorSettings sensors_{.lightSamples = 4, .goesOn = 0.25F, .share = true};
 };
 
 }  // namespace

@@ -138,7 +138,7 @@ template <Spectrum S>
 typename Bsdf<S>::Sample Bsdf<S>::samplePane(const Vec3& wo, float uLobe) const {
     const PaneLight light = paneLight(pane_->transmittance, pane_->ior, wo.z);
     const S reflected = fromRgb<S>(light.reflected), transmitted = fromRgb<S>(light.transmitted);
-    const float chance = brightness(reflected) / (brightness(reflected) + brightness(transmitted));
+    const float chance = 1 - chanceThrough(wo.z);
     Sample out;
     if (uLobe < chance) {
         out.wi = {-wo.x, -wo.y, wo.z};
@@ -149,6 +149,13 @@ typename Bsdf<S>::Sample Bsdf<S>::samplePane(const Vec3& wo, float uLobe) const 
         out.passedThrough = true;
     }
     return out;
+}
+
+template <Spectrum S>
+float Bsdf<S>::chanceThrough(float cosine) const {
+    const PaneLight light = paneLight(pane_->transmittance, pane_->ior, cosine);
+    const float reflected = brightness(fromRgb<S>(light.reflected)), transmitted = brightness(fromRgb<S>(light.transmitted));
+    return transmitted / (reflected + transmitted);
 }
 
 /// Each way by its chance, so that weights are 1, but for what crossing does to radiance: it is spread over, or

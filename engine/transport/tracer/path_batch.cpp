@@ -125,6 +125,7 @@ bool PathBatch<S>::meets(Path& path, const Hit& hit, SurfacePoint& point) {
     if (!scene_.needs.alpha || !point.material->hasHoles()) return true;
     if (path.numbers.next1D() < coverage(scene_.scene, *point.material, point.uv)) return true;
     recordVirtual(path, hit.distance, true);
+    path.straight = false;
     goStraightOn(path, point);
     return false;
 }
@@ -242,6 +243,8 @@ void PathBatch<S>::scatterSpecular(Path& path, const Hit& hit, const SurfacePoin
     const Vec3 direction = next.passedThrough ? path.ray.direction : frame.toWorld(next.wi);
     const bool leaves = next.passedThrough || dot(direction, point.geometricNormal) > 0;
     path.throughput *= next.weight;
+    path.straight = path.straight && next.passedThrough && point.material->kind == MaterialKind::ThinGlass;
+    if (path.straight) path.passed *= next.weight;
     path.ended = !leaves || path.throughput.isBlack();
     path.ray = {point.departure(direction), 0, direction, kInfinity};
     if (next.passedThrough) return;  // straight on: next-event estimation saw through the pane as well
@@ -268,6 +271,7 @@ void PathBatch<S>::scatterBoundary(Path& path, const SurfacePoint& point, const 
     path.ray = {point.departure(direction), 0, direction, kInfinity};
     path.pdfSolidAngle = 0;
     path.mirror = kNoMirror;
+    path.straight = false;
     auto& media = media_[path.query];
     if (!next.refracted) ++path.reflections;
     else if (!point.frontFace) media.leave(*point.material);
@@ -289,13 +293,20 @@ void PathBatch<S>::scatterRough(Path& path, const Hit& hit, const SurfacePoint& 
     const Receiver here{point.departure(point.geometricNormal), bsdf.transmits() ? Vec3(0, 0, 0) : point.shadingNormal,
                         point.material->kind != MaterialKind::Matte};
     if (atFirstBounce(path) && looksAlike(hit, point) && (!scene_.needs.dielectrics || media_[path.query].inAir()))
-        settings_.bounces[path.query] = {true, here.position, point.geometricNormal, point.shadingNormal, hit, bsdf.coated(), {}};
+        settings_.bounces[path.query] = {true, here.position, point.geometricNormal, point.shadingNormal, hit, bsdf.coated(),
+                                         path.vertices > 0, toRgb(path.passed), {}};
+    if (atFirstBounce(path) && settings_.goesOn < 1 && settings_.bounces[path.query].met && point.material->kind == MaterialKind::Matte) {
+        path.ended = path.numbers.next1D() >= settings_.goesOn;
+        if (path.ended) return;
+        path.throughput *= 1 / settings_.goesOn;
+    }
     if (!last && !settings_.ambientRadiance.isBlack())
         add(path.query, 2, kFromAmbient, path.throughput * bsdf.albedo(wo.z) * fromRgb<S>(settings_.ambientRadiance), S(0.0F));
     if (!last) connectLight(path, here, point, frame, wo, bsdf);
     if (!last && path.reflections + 1 < settings_.maxReflections && !scene_.mirrors.empty())
         connectByMirror(path, here, point, frame, wo, bsdf);
     scatter(path, here, point, frame, wo, bsdf);
+    path.straight = false;
 }
 
 /// Looks for a light in a mirror or pane, at some of the vertices, which count for all.

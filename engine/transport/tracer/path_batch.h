@@ -13,7 +13,7 @@ namespace luxdeck {
 
 struct SurfacePoint;
 
-/// Where a path was first scattered, met straight: without pane, mirror or hole before it. What its surface scatters
+/// Where a path was first scattered, met straight: nothing but glass panes before it. What its surface scatters
 /// alike in all directions looks the same to all who see the place, but for a factor of the angle.
 struct FirstBounce {
     bool met = false;
@@ -22,6 +22,8 @@ struct FirstBounce {
     Vec3 shadingNormal{0, 0, 1};
     Hit hit;                        // for the factor of the angle; of a matte or Ward surface it is 1
     bool coated = false;            // the factor is not 1
+    bool behindPanes = false;
+    Rgb passed{1.0F};               // transmittance of the panes over the chance of going through
     Rgb diffuse;                    // the part of the sample's reflected radiance that was scattered so [cd/m^2]
 };
 
@@ -34,6 +36,7 @@ struct TracerSettings {
     std::vector<SourceShare>* shares = nullptr;  // not null: what each light gave is appended to it; of radiance,
                                                  // `direct` being what was emitted
     std::span<FirstBounce> bounces;              // empty, or filled for each query
+    float goesOn = 1;                            // with bounces: the part of the paths that go on from a matte one
 };
 
 /// A batch of light paths, followed together from where light is asked for towards the lights: trace all
@@ -57,6 +60,8 @@ private:
         std::uint32_t query = 0;
         int reflections = 0;       // so far, mirrors included, passages through panes and into solids not
         int vertices = 0;
+        bool straight = true;      // only panes so far, passed straight through
+        S passed{1.0F};            // their weights
         S diffuse{0.0F};           // the part of what comes that its first bounce scattered alike in all directions
         Receiver from;             // where the direction was sampled
         float pdfSolidAngle = 0;   // of the direction; 0: no other strategy, light counts in full
@@ -110,7 +115,7 @@ private:
     void add(std::uint32_t query, int reflections, LightSource source, const S& radiance, const S& diffuse);
     void add(const Path& path, LightSource source, const S& radiance) { add(path.query, path.reflections, source, radiance, path.diffuse); }
     [[nodiscard]] bool looksAlike(const Hit& hit, const SurfacePoint& point) const;
-    [[nodiscard]] bool atFirstBounce(const Path& path) const { return path.vertices == 0 && !settings_.bounces.empty(); }
+    [[nodiscard]] bool atFirstBounce(const Path& path) const { return path.straight && !settings_.bounces.empty(); }
     TransportCounters finish();
 
     /// The part of light found by the path's own direction, next-event estimation taking the rest.
