@@ -121,7 +121,7 @@ private:
 
     void finishPolygon(const Primitive& p, const std::vector<const Primitive*>& textures, bool emits, SurfaceMesh& mesh) {
         if (mesh.triangles.empty()) return warnings_.add("no area", fmt::format("{}: polygon {} has no area: left out", p.place.text(), p.name));
-        if (const double mismatch = areaMismatch(p, mesh); mismatch > 0.01)
+        if (const double mismatch = areaMismatch(mesh); mismatch > 0.01)
             warnings_.add("crossing", fmt::format("{}: polygon {} crosses itself or is not flat: its triangles have {:.1f} % of another area", p.place.text(), p.name, 100 * mismatch));
         if (emits) mesh.normals.clear();
         if (textures.empty() || emits) return;

@@ -1,6 +1,7 @@
 #include "engine/io/rad_surface.h"
 
 #include "engine/io/obj_polygon.h"
+#include "engine/io/rad_polygon.h"
 #include "engine/io/rad_transform.h"
 
 #include <fmt/format.h>
@@ -50,14 +51,14 @@ Error wrongSize(const Primitive& p, const char* what, double value) {
 
 Result<SurfaceMesh> polygonMesh(const Primitive& p) {
     SurfaceMesh mesh;
-    mesh.positions = cornersOf(p);
+    mesh.positions = withHolesReversed(cornersOf(p));
     if (!obj::triangulate(mesh.positions, mesh.triangles))
         return p.place.error(ErrorCode::Unsupported, fmt::format("polygon {} is concave and has {} corners, expected at most {}", p.name,
                                                                  mesh.positions.size(), obj::kMaxConcaveCorners));
     std::erase_if(mesh.triangles, [&](const auto& t) {
         return !(triangleArea(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]) > 0);
     });
-    mesh.normals = p.normals;
+    if (p.normals.size() == mesh.positions.size()) mesh.normals = p.normals;
     return mesh;
 }
 
@@ -169,8 +170,8 @@ Result<SurfaceMesh> tessellate(const Primitive& surface, const Fineness& finenes
     return mesh;
 }
 
-double areaMismatch(const Primitive& polygon, const SurfaceMesh& mesh) {
-    const auto corners = cornersOf(polygon);
+double areaMismatch(const SurfaceMesh& mesh) {
+    const auto& corners = mesh.positions;
     Vec3d normal(0, 0, 0);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) normal += (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
     const double expected = 0.5 * normal.length();

@@ -35,6 +35,8 @@ struct SurfaceMesh {
 Result<SurfaceMesh> tessellate(const Primitive& surface, const Fineness& fineness);
 
 /// How far the triangles' area is from the polygon's own, as a fraction: more than rounding where it crosses itself.
-double areaMismatch(const Primitive& polygon, const SurfaceMesh& mesh);
+///
+/// mesh  of a polygon: its positions are the corners in their order
+double areaMismatch(const SurfaceMesh& mesh);
 
 }  // namespace luxdeck::rad

@@ -8,39 +8,21 @@ corner on the floor; x runs along the window wall, y towards the corridor wall.
 import math
 import pathlib
 import random
+import sys
 import tomllib
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "common"))
 import furniture as f
 import plants
 import room
 import seating
 from glb import GlbFile
+from placing import Counter, luminaire_positions
 from luminaire_bodies import BODIES
 
 PROJECT = pathlib.Path(__file__).resolve().parent.parent
 BENCHES = [(2.0, 1.0, 3, "felt petrol"), (5.6, 1.0, 3, "felt ochre"), (9.2, 1.0, 2, "felt petrol")]  # x, y0, desks a side
 DESK_WIDTH, DESK_DEPTH = 1.6, 0.8
-
-
-class Counter:
-    """Numbers things of a kind: 'Desk 01', 'Desk 02' ..."""
-
-    def __init__(self, glb):
-        self.glb, self.count = glb, {}
-
-    def place(self, kind, thing, *where, **more):
-        self.count[kind] = self.count.get(kind, 0) + 1
-        self.glb.place(f"{kind} {self.count[kind]:02d}", thing, *where, **more)
-
-
-def luminaire_positions(project):
-    """(type, x, y, z, rotation) of every luminaire, arrays unrolled."""
-    for table in project["luminaire"]:
-        (nx, ny), (dx, dy) = table.get("array", {"count": [1, 1]})["count"], table.get("array", {}).get("spacing", [0, 0])
-        x, y, z = table["position"]
-        for j in range(ny):
-            for i in range(nx):
-                yield table["type"], x + i * dx, y + j * dy, z, table.get("rotation_deg", 0.0)
 
 
 def hang_luminaires(glb, project):
@@ -158,20 +140,14 @@ def furnish_lounge(glb):
 
 def main():
     project = tomllib.loads((PROJECT / "project.toml").read_text(encoding="utf-8"))
-    glb = GlbFile({table["name"]: table for table in project["material"]})
+    glb = GlbFile("office", {table["name"]: table for table in project["material"]})
     build_room(glb, project)
     furnish_benches(glb)
     furnish_meeting_room(glb)
     furnish_storage(glb)
     furnish_lounge(glb)
     hang_luminaires(glb, project)
-    glb.write(PROJECT / "office.glb")
-    size = (PROJECT / "office.glb").stat().st_size
-    print(f"office.glb: {len(glb.nodes)} objects, {glb.triangle_count()} triangles, {size / 1e6:.2f} MB")
-    unused = [name for i, name in enumerate(glb.materials)
-              if not any(p["material"] == i for mesh in glb.meshes for p in mesh["primitives"])]
-    if unused:
-        print("materials never used:", ", ".join(unused))
+    glb.finish(PROJECT)
 
 
 if __name__ == "__main__":

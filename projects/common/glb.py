@@ -25,7 +25,8 @@ class GlbFile:
     A Thing placed several times is stored once (glTF instancing). glTF's y is up: (x, y, z) -> (x, z, -y).
     """
 
-    def __init__(self, materials):
+    def __init__(self, name, materials):
+        self.name = name                      # of the project: its folder's
         self.materials = materials            # name -> [[material]] table of project.toml
         self.material_index = {name: i for i, name in enumerate(materials)}
         self.blob = bytearray()
@@ -49,9 +50,9 @@ class GlbFile:
 
     def write(self, path):
         document = {
-            "asset": {"version": "2.0", "generator": "projects/office/source/make_office.py"},
+            "asset": {"version": "2.0", "generator": f"projects/{self.name}/source/make_{self.name}.py"},
             "extensionsUsed": ["KHR_materials_transmission"],
-            "scene": 0, "scenes": [{"name": "office", "nodes": list(range(len(self.nodes)))}],
+            "scene": 0, "scenes": [{"name": self.name, "nodes": list(range(len(self.nodes)))}],
             "nodes": self.nodes, "meshes": self.meshes,
             "materials": [_gltf_material(name, table) for name, table in self.materials.items()],
             "accessors": self.accessors, "bufferViews": self.views, "buffers": [{"byteLength": len(self.blob)}],
@@ -63,6 +64,16 @@ class GlbFile:
             file.write(struct.pack("<4sII", b"glTF", 2, 12 + 8 + len(text) + 8 + len(data)))
             file.write(struct.pack("<I4s", len(text), b"JSON") + text)
             file.write(struct.pack("<I4s", len(data), b"BIN\0") + data)
+
+    def finish(self, folder):
+        """Writes <name>.glb into the project's folder and says what is in it."""
+        path = folder / f"{self.name}.glb"
+        self.write(path)
+        print(f"{path.name}: {len(self.nodes)} objects, {self.triangle_count()} triangles, {path.stat().st_size / 1e6:.2f} MB")
+        used = {primitive["material"] for mesh in self.meshes for primitive in mesh["primitives"]}
+        unused = [name for name, index in self.material_index.items() if index not in used]
+        if unused:
+            print("materials never used:", ", ".join(unused))
 
     def _mesh(self, thing, name):
         if id(thing) in self.mesh_of:
