@@ -233,6 +233,32 @@ float LightSampler::probability(const Receiver& at, std::uint32_t light) const {
     return mixed(importanceIn(sums, light), sums.back(), powerShare(light));
 }
 
+LightSampler::Weights LightSampler::weighThrough(const Receiver& at, const MirrorFrame& window) const {
+    if (manyLights_) return {};
+    constexpr float kHidden = 0.02F;  // the test looks at centres and rims alone, and may err
+    Weights weights = weigh(at);
+    auto& sums = weights.few;
+    const Vec3 normal = cross(window.u, window.v);
+    const float height = dot(normal, window.centre - at.position);
+    float before = 0, sum = 0;
+    for (std::size_t i = 0; i <= lights_.size(); ++i) {
+        float importance = sums[i] - before;
+        before = sums[i];
+        if (i < lights_.size()) {
+            const Vec3 towards = lights_[i].opening.centre - at.position;
+            const float s = height / dot(normal, towards);
+            const Vec3 off = at.position + towards * s - window.centre;
+            const float rim = lights_[i].radius * std::abs(s);
+            const bool shows = s > 0 && s < 1 && std::abs(dot(off, window.u)) <= window.halfU + rim &&
+                               std::abs(dot(off, window.v)) <= window.halfV + rim;
+            if (!shows) importance *= kHidden;
+        }
+        sums[i] = sum += importance;
+    }
+    std::fill(sums.begin() + static_cast<std::ptrdiff_t>(lights_.size()), sums.end(), sum);
+    return weights;
+}
+
 LightSample LightSampler::sample(const Receiver& at, float uSelect, Vec2 u) const {
     const auto choice = choose(at, manyLights_ ? Sums{} : sumsOfFew(at), uSelect);
     return choosePoint(at, choice, uSelect, u);

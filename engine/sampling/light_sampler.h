@@ -32,6 +32,13 @@ struct LightSample {
     [[nodiscard]] bool lit() const { return !weight.isBlack(); }
 };
 
+/// A rectangle that light must pass on its way.
+struct MirrorFrame {
+    Vec3 centre{0, 0, 0};
+    Vec3 u{1, 0, 0}, v{0, 1, 0};  // unit, in its plane
+    float halfU = 0, halfV = 0;   // [m]
+};
+
 /// Chooses points on luminaires and emitting surfaces. With few luminaires each is weighed at the receiver
 /// by its intensity towards it, 1/d^2 and the cosine; with many a tree over luminaires and emitting
 /// triangles chooses. The sky is left to the receivers' own directions.
@@ -53,8 +60,12 @@ public:
     static constexpr std::size_t kMostWeighed = 16384;
     [[nodiscard]] Weights weigh(const Receiver& at) const;
 
+    /// The same where light comes through a window, as by way of a mirror behind which the receiver stands: lights
+    /// that do not show in it keep a small part of their weight.
+    [[nodiscard]] Weights weighThrough(const Receiver& at, const MirrorFrame& window) const;
+
     /// uSelect chooses the light, u the point on it.
-    [[nodiscard]] LightSample sample(const Receiver& at, float uSelect, Vec2 u) const ;
+    [[nodiscard]] LightSample sample(const Receiver& at, float uSelect, Vec2 u) const;
     /// The same for a receiver that was weighed before.
     [[nodiscard]] LightSample sample(const Receiver& at, const Weights& weights, float uSelect, Vec2 u) const;
 

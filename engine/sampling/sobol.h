@@ -62,6 +62,11 @@ public:
         return unitFloat(owenScramble(reverseBits(shuffled), static_cast<std::uint32_t>(h >> 32)));
     }
 
+    /// The i-th of m samples that together take this one's place in a set of their own.
+    [[nodiscard]] SamplePath finer(std::uint32_t m, std::uint32_t i) const {
+        return {mix64(seed_ ^ 0x5bd1e9955bd1e995ULL), index_ * m + i};
+    }
+
 private:
     std::uint64_t seed_ = 0;
     std::uint32_t index_ = 0;

@@ -14,6 +14,7 @@ Result<LitScene> LitScene::create(const Scene& scene, const SceneNeeds& needs) {
     lit.needs_ = std::make_unique<SceneNeeds>(needs);
     lit.raycaster_ = *std::move(raycaster);
     lit.lights_ = std::make_unique<LightSampler>(scene, needs);
+    lit.mirrors_ = std::make_unique<Mirrors>(scene, needs);
     lit.sky_ = makeSkySampler(scene, needs, *lit.raycaster_);
     return lit;
 }

@@ -19,13 +19,14 @@ public:
     [[nodiscard]] const SceneNeeds& needs() const { return *needs_; }
     [[nodiscard]] const Raycaster& raycaster() const { return *raycaster_; }
     [[nodiscard]] const LightSampler& lights() const { return *lights_; }
-    [[nodiscard]] TransportScene transport() const { return {*scene_, *needs_, *raycaster_, *lights_, sky_.get()}; }
+    [[nodiscard]] TransportScene transport() const { return {*scene_, *needs_, *raycaster_, *lights_, *mirrors_, sky_.get()}; }
 
 private:
     const Scene* scene_ = nullptr;
     std::unique_ptr<SceneNeeds> needs_;  // on the heap: estimators keep references while this moves
     std::unique_ptr<Raycaster> raycaster_;
     std::unique_ptr<LightSampler> lights_;
+    std::unique_ptr<Mirrors> mirrors_;
     std::unique_ptr<SkySampler> sky_;  // null: nothing to sample
 };
 

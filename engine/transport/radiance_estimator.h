@@ -5,6 +5,7 @@
 #include "engine/core/vec.h"
 #include "engine/raycast/raycaster.h"
 #include "engine/sampling/light_sampler.h"
+#include "engine/sampling/mirrors.h"
 #include "engine/sampling/sobol.h"
 #include "engine/scene/needs.h"
 #include "engine/scene/scene.h"
@@ -55,6 +56,9 @@ struct SensorQuery {
     Vec3 normal{0, 0, 1};      // unit; of a cylindrical sensor: its axis
     SensorKind kind = SensorKind::Planar;
     SamplePath numbers;
+    /// Neighbours asked together: consecutive queries of one group may help each other where the algorithm
+    /// shares light between sensors.
+    std::uint32_t group = kNothing;
 };
 
 struct SensorSample {
@@ -91,7 +95,7 @@ struct TransportCounters {
 };
 
 /// Answers the one question of the whole system: how much light. Immutable after creation, safe to call
-/// from any number of threads; the answer to a query depends on the query alone.
+/// from any number of threads; the answer to a query depends on the query alone, or on those of its group.
 class RadianceEstimator {
 public:
     virtual ~RadianceEstimator() = default;
@@ -102,6 +106,9 @@ public:
     /// samples[i] becomes one estimate of the illuminance at queries[i]; both #Q.
     virtual TransportCounters irradiance(std::span<const SensorQuery> queries,
                                          std::span<SensorSample> samples) const = 0;
+
+    /// How many neighbouring sensors are best asked together as a group.
+    [[nodiscard]] virtual std::size_t groupSize() const { return 1; }
 
     /// Whether irradianceBySource() does its work.
     [[nodiscard]] virtual bool knowsSources() const { return false; }
@@ -119,6 +126,7 @@ struct TransportScene {
     const SceneNeeds& needs;
     const Raycaster& raycaster;
     const LightSampler& lights;
+    const Mirrors& mirrors;
     const SkySampler* sky = nullptr;  // none: no sky, or it is left to the receivers' own directions
 };
 

@@ -43,4 +43,10 @@ constexpr float brightness(const Grey& c) { return c.y; }
 constexpr Rgb quotient(const Rgb& a, const Rgb& b) { return {a.r / b.r, a.g / b.g, a.b / b.b}; }
 constexpr Grey quotient(const Grey& a, const Grey& b) { return Grey(a.y / b.y); }
 
+
+/// a / b where b is the larger of the two, 0 / 0 being 0.
+constexpr float partOf(float a, float b) { return b > 0 ? a / b : 0.0F; }
+constexpr Rgb partOf(const Rgb& a, const Rgb& b) { return {partOf(a.r, b.r), partOf(a.g, b.g), partOf(a.b, b.b)}; }
+constexpr Grey partOf(const Grey& a, const Grey& b) { return Grey(partOf(a.y, b.y)); }
+
 }  // namespace luxdeck

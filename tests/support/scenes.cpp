@@ -203,12 +203,14 @@ Scene richRoom() {
 Lit::Lit(Scene s, bool bruteForce) : scene(std::move(s)), needs(SceneNeeds::of(scene)) {
     raycaster = bruteForce ? makeBruteForceRaycaster(scene) : must(makeEmbreeRaycaster(scene));
     lights = std::make_unique<LightSampler>(scene, needs);
+    mirrors = std::make_unique<Mirrors>(scene, needs);
     sky = makeSkySampler(scene, needs, *raycaster);
 }
 
 Lit::Lit(Scene s, SceneNeeds forced) : scene(std::move(s)), needs(forced) {
     raycaster = must(makeEmbreeRaycaster(scene));
     lights = std::make_unique<LightSampler>(scene, needs);
+    mirrors = std::make_unique<Mirrors>(scene, needs);
     sky = makeSkySampler(scene, needs, *raycaster);
 }
 

@@ -64,9 +64,10 @@ struct Lit {
     SceneNeeds needs;
     std::unique_ptr<Raycaster> raycaster;
     std::unique_ptr<LightSampler> lights;
+    std::unique_ptr<Mirrors> mirrors;
     std::unique_ptr<SkySampler> sky;
 
-    [[nodiscard]] TransportScene transport() const { return {scene, needs, *raycaster, *lights, sky.get()}; }
+    [[nodiscard]] TransportScene transport() const { return {scene, needs, *raycaster, *lights, *mirrors, sky.get()}; }
     [[nodiscard]] std::unique_ptr<RadianceEstimator> estimator(const std::string& algorithm,
                                                                const AlgorithmSettings& settings = {}) const;
 };

@@ -1,7 +1,9 @@
 #include "engine/transport/sensor/illuminance.h"
 
 #include "engine/sampling/warp.h"
-#include "engine/transport/surface/surface_point.h"
+#include "engine/transport/sensor/sensor_weight.h"
+#include "engine/transport/sensor/shared_light.h"
+#include "engine/transport/tracer/mirrored_light.h"
 #include "engine/transport/tracer/light_choice.h"
 #include "engine/transport/tracer/media.h"
 #include "engine/transport/tracer/shadow.h"
@@ -9,48 +11,94 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace luxdeck {
 
 namespace {
 
-/// The weight of light from a direction at cosine c to the sensor's normal or axis, and the density by
-/// which the sensor chooses directions: its weight over pi, whichever the kind.
-float sensorWeight(SensorKind kind, float c) {
-    return kind == SensorKind::Planar ? std::max(c, 0.0F) : std::sqrt(std::max(0.0F, 1 - c * c)) / kPi;
-}
-
-/// A planar sensor sits just off the surface that it may lie on; a cylinder where it is.
-Receiver receiverOf(const SensorQuery& query) {
-    if (query.kind == SensorKind::Cylindrical) return {query.position};
-    return {query.position + query.normal * (16 * spacingAt(query.position)), query.normal};
-}
-
 /// Chooses a light for every sensor; contributions that are not shadowed go to `samples`.
 class LightRound {
 public:
-    LightRound(const TransportScene& scene, std::size_t count) : scene_(scene), media_(scene) {
+    LightRound(const TransportScene& scene, std::size_t count, int perPath) : scene_(scene), perPath_(perPath), media_(scene) {
         rays_.reserve(count), contributions_.reserve(count);
     }
 
-    void choose(std::uint32_t index, const SensorQuery& query, const Receiver& at, SamplePath& numbers) {
-        if (!weighed_ || at.position != weighedAt_.position || at.normal != weighedAt_.normal) {
-            weights_ = scene_.lights.weigh(at);
-            weighedAt_ = at, weighed_ = true;
+    /// Lights for a sensor, each counting for its part, and one by way of a mirror or pane.
+    void look(std::uint32_t index, const SensorQuery& query, const Receiver& at, bool byMirrors, SamplePath& numbers) {
+        const auto& place = placeOf(at, byMirrors);
+        if (perPath_ == 1) {
+            choose(index, query, place, numbers);
+        } else {
+            for (int i = 0; i < perPath_; ++i) {
+                auto finer = numbers.finer(static_cast<std::uint32_t>(perPath_), static_cast<std::uint32_t>(i));
+                choose(index, query, place, finer);
+            }
         }
-        const float uSelect = numbers.next1D();
-        const auto light = chooseLight(scene_, at, weights_, uSelect, numbers.next2D());
-        if (!light.lit()) return;
-        const float weight = sensorWeight(query.kind, dot(light.direction, query.normal));
-        if (!(weight > 0)) return;
-        Rgb contribution = light.weight * weight;
-        if (light.shared) contribution *= light.pdfSolidAngle / (light.pdfSolidAngle + weight / kPi);
-        contributions_.push_back({contribution, index, light.source});
-        rays_.push_back({at.position, 0, light.direction, light.distance * (1 - kShadowShortening)});
+        if (byMirrors) chooseByMirror(index, query, place, numbers);
     }
 
     void trace(std::span<SensorSample> samples, std::vector<SourceShare>* shares, TransportCounters& counters) {
+        traceLights(samples, shares, counters);
+        traceMirrored(samples, shares, counters);
+    }
+
+private:
+    /// A place where lights were weighed. A batch asks thousands of times at one, or at the few of a group in turn.
+    struct Place {
+        Receiver at;
+        LightSampler::Weights weights;
+        std::optional<MirrorTable> mirrors;
+    };
+
+    static constexpr std::size_t kMostPlaces = 64;  // more are not a group asked in turn: remembering is in vain
+
+    const Place& placeOf(const Receiver& at, bool byMirrors) {
+        for (std::size_t tried = 0; tried < places_.size(); ++tried, last_ = (last_ + 1) % places_.size())
+            if (places_[last_].at.position == at.position && places_[last_].at.normal == at.normal) {
+                const auto& place = places_[last_];
+                last_ = (last_ + 1) % places_.size();  // the next of the group comes next
+                return place;
+            }
+        Place place{at, scene_.lights.weigh(at), std::nullopt};
+        if (byMirrors) place.mirrors.emplace(scene_, at);
+        last_ = 0;
+        if (places_.size() >= kMostPlaces) places_.clear();
+        return places_.emplace_back(std::move(place));
+    }
+
+
+    void choose(std::uint32_t index, const SensorQuery& query, const Place& place, SamplePath& numbers) {
+        const float uSelect = numbers.next1D();
+        const auto light = chooseLight(scene_, place.at, place.weights, uSelect, numbers.next2D());
+        if (!light.lit()) return;
+        const float weight = sensorWeight(query.kind, dot(light.direction, query.normal));
+        if (!(weight > 0)) return;
+        Rgb contribution = light.weight * (weight / static_cast<float>(perPath_));
+        if (light.shared) contribution *= light.pdfSolidAngle / (light.pdfSolidAngle + weight / kPi);
+        contributions_.push_back({contribution, index, light.source});
+        rays_.push_back({place.at.position, 0, light.direction, light.distance * (1 - kShadowShortening)});
+    }
+
+    void chooseByMirror(std::uint32_t index, const SensorQuery& query, const Place& place, SamplePath& numbers) {
+        float u = numbers.next1D();
+        const auto choice = place.mirrors->choose(u);
+        const auto path = aimByMirror(scene_, place.at, choice.mirror, *choice.weights, u, numbers.next2D());
+        if (!path) return;
+        const float weight = sensorWeight(query.kind, dot(path->direction, query.normal));
+        if (weight > 0) mirrored_.push_back({*path, path->light.weight * (weight / choice.probability), place.at.position, index});
+    }
+
+    void traceMirrored(std::span<SensorSample> samples, std::vector<SourceShare>* shares, TransportCounters& counters) {
+        for (const auto& m : mirrored_) {
+            const Rgb contribution = m.light * throughputByMirror(scene_, m.origin, m.path, counters);
+            samples[m.index].indirect += contribution;
+            if (shares != nullptr && !contribution.isBlack()) shares->push_back({contribution, m.index, m.path.light.source, false});
+        }
+    }
+
+    void traceLights(std::span<SensorSample> samples, std::vector<SourceShare>* shares, TransportCounters& counters) {
         shadowed_.resize(rays_.size());
         scene_.raycaster.occluded(rays_, shadowed_, Targets::Opaque);
         counters.rays += rays_.size();
@@ -65,20 +113,26 @@ public:
         }
     }
 
-private:
     struct Contribution {
         Rgb light;
         std::uint32_t index;
         LightSource source;
     };
+    struct Mirrored {
+        MirrorPath path;
+        Rgb light;
+        Vec3 origin;
+        std::uint32_t index;
+    };
     const TransportScene& scene_;
+    int perPath_;
+    std::vector<Mirrored> mirrored_;
+    std::vector<Place> places_;
+    std::size_t last_ = 0;  // where in places_ the next query probably is
     MediaFinder media_;
     std::vector<Ray> rays_;
     std::vector<Contribution> contributions_;
     std::vector<std::uint8_t> shadowed_;
-    LightSampler::Weights weights_;  // of the lights at weighedAt_: a batch asks mostly at one place
-    Receiver weighedAt_;
-    bool weighed_ = false;
 };
 
 RadianceQuery directionQuery(const SensorQuery& query, const Receiver& at, const SamplePath& numbers, Vec2 u) {
@@ -97,11 +151,13 @@ bool isGood(const SensorQuery& query) { return isFinite(query.position) && isFin
 }  // namespace
 
 TransportCounters gatherIlluminance(const TransportScene& scene, const TracerSettings& settings,
-                                    std::span<const SensorQuery> queries, std::span<SensorSample> samples) {
+                                    std::span<const SensorQuery> queries, std::span<SensorSample> samples,
+                                    const SensorSettings& sensors) {
     std::vector<RadianceQuery> directions(queries.size());
     std::vector<RadianceSample> radiances(queries.size());
     TransportCounters counters;
-    LightRound lights(scene, queries.size());
+    const bool byMirrors = !scene.mirrors.empty() && !scene.lights.empty() && settings.maxReflections > 0;
+    LightRound lights(scene, queries.size(), sensors.lightSamples);
     for (std::uint32_t i = 0; i < queries.size(); ++i) {
         samples[i] = SensorSample{};
         if (!isGood(queries[i])) {
@@ -110,19 +166,28 @@ TransportCounters gatherIlluminance(const TransportScene& scene, const TracerSet
         }
         const auto at = receiverOf(queries[i]);
         auto numbers = queries[i].numbers;
-        lights.choose(i, queries[i], at, numbers);
+        lights.look(i, queries[i], at, byMirrors, numbers);
         const Vec2 u = numbers.next2D();
         directions[i] = directionQuery(queries[i], at, numbers, u);
     }
     auto* shares = settings.shares;
     lights.trace(samples, shares, counters);
     const std::size_t firstOfPaths = shares != nullptr ? shares->size() : 0;
-    counters += tracePaths(scene, settings, directions, radiances);
+    auto tracer = settings;
+    std::vector<FirstBounce> bounces(sensors.share ? queries.size() : 0);
+    tracer.bounces = bounces;
+    tracer.goesOn = sensors.share ? sensors.goesOn : 1;
+    counters += tracePaths(scene, tracer, directions, radiances);
+    if (sensors.share) {
+        std::vector<Rgb> reflected(queries.size());
+        for (std::size_t i = 0; i < queries.size(); ++i) reflected[i] = radiances[i].direct + radiances[i].indirect;
+        shareReflectedLight(scene, queries, bounces, reflected, samples, counters);
+    }
     for (std::size_t i = firstOfPaths; shares != nullptr && i < shares->size(); ++i) (*shares)[i].light *= kPi;
     for (std::size_t i = 0; i < queries.size(); ++i) {
         auto& sample = samples[i];
         sample.direct += radiances[i].emitted * kPi;  // weight over density is pi for both kinds
-        sample.indirect = (radiances[i].direct + radiances[i].indirect) * kPi;
+        if (!sensors.share) sample.indirect += (radiances[i].direct + radiances[i].indirect) * kPi;
         sample.sawBackFace = radiances[i].backFace;
         sample.failure = radiances[i].failure;
         if (sample.failure == RayFailure::None && !isFinite(sample.total())) sample.failure = RayFailure::NotFinite;

@@ -78,16 +78,17 @@ typename Bsdf<S>::Value Bsdf<S>::evaluate(const Vec3& wo, const Vec3& wi) const 
     if (kind_ == Kind::Ward) return ward_.evaluate(wo, wi);
     if (kind_ != Kind::Rough || wi.z <= 0 || wo.z <= 0) return {S(0.0F), 0};
     const float cosinePdf = wi.z / kPi;
-    if (!coated_) return {diffuse_ * cosinePdf, cosinePdf};
+    if (!coated_) return {diffuse_ * cosinePdf, cosinePdf, diffuse_ * cosinePdf};
 
     const Ggx ggx{alpha_};
     const LobeAlbedo eo = lobeAlbedo(wo.z, alpha_), ei = lobeAlbedo(wi.z, alpha_);
     const float fresnel = schlick(std::clamp(dot(wo, (wo + wi).normalized()), 0.0F, 1.0F));
     S f = (f0_ * (1 - fresnel) + S(fresnel)) * ggx.lobe(wo, wi);
     f += multiple_ * ((1 - eo.total()) * (1 - ei.total()) / (kPi * meanEscaped_));
+    S below(0.0F);
     if (!diffuse_.isBlack())
-        f += quotient(diffuse_ * (S(1.0F) - lobeTotal(eo)) * (S(1.0F) - lobeTotal(ei)), meanThrough_) * (1 / kPi);
-    return {f * wi.z, lobeChance_ * ggx.pdf(wo, wi) + (1 - lobeChance_) * cosinePdf};
+        below = quotient(diffuse_ * (S(1.0F) - lobeTotal(eo)) * (S(1.0F) - lobeTotal(ei)), meanThrough_) * (1 / kPi);
+    return {(f + below) * wi.z, lobeChance_ * ggx.pdf(wo, wi) + (1 - lobeChance_) * cosinePdf, below * wi.z};
 }
 
 template <Spectrum S>
@@ -102,7 +103,7 @@ typename Bsdf<S>::Sample Bsdf<S>::sample(const Vec3& wo, float uLobe, Vec2 u) co
     Sample out;
     if (!coated_) {
         out.wi = cosineHemisphere(u);
-        out.weight = diffuse_;
+        out.weight = out.diffuse = diffuse_;
         out.pdf = out.wi.z / kPi;
         out.absorbed = !(out.pdf > 0);
         return out;
@@ -116,8 +117,13 @@ typename Bsdf<S>::Sample Bsdf<S>::sample(const Vec3& wo, float uLobe, Vec2 u) co
     const auto value = evaluate(wo, out.wi);
     out.pdf = value.pdf;
     out.absorbed = !(value.pdf > 0);
-    if (!out.absorbed) out.weight = value.cosineWeighted * (1 / value.pdf);
+    if (!out.absorbed) out.weight = value.cosineWeighted * (1 / value.pdf), out.diffuse = value.diffuse * (1 / value.pdf);
     return out;
+}
+
+template <Spectrum S>
+S Bsdf<S>::diffuseFactor(float cosine) const {
+    return coated_ ? S(1.0F) - lobeTotal(lobeAlbedo(cosine, alpha_)) : S(1.0F);
 }
 
 template <Spectrum S>
@@ -132,7 +138,7 @@ template <Spectrum S>
 typename Bsdf<S>::Sample Bsdf<S>::samplePane(const Vec3& wo, float uLobe) const {
     const PaneLight light = paneLight(pane_->transmittance, pane_->ior, wo.z);
     const S reflected = fromRgb<S>(light.reflected), transmitted = fromRgb<S>(light.transmitted);
-    const float chance = brightness(reflected) / (brightness(reflected) + brightness(transmitted));
+    const float chance = 1 - chanceThrough(wo.z);
     Sample out;
     if (uLobe < chance) {
         out.wi = {-wo.x, -wo.y, wo.z};
@@ -143,6 +149,13 @@ typename Bsdf<S>::Sample Bsdf<S>::samplePane(const Vec3& wo, float uLobe) const 
         out.passedThrough = true;
     }
     return out;
+}
+
+template <Spectrum S>
+float Bsdf<S>::chanceThrough(float cosine) const {
+    const PaneLight light = paneLight(pane_->transmittance, pane_->ior, cosine);
+    const float reflected = brightness(fromRgb<S>(light.reflected)), transmitted = brightness(fromRgb<S>(light.transmitted));
+    return transmitted / (reflected + transmitted);
 }
 
 /// Each way by its chance, so that weights are 1, but for what crossing does to radiance: it is spread over, or

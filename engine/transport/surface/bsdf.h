@@ -46,6 +46,13 @@ public:
     [[nodiscard]] Value evaluate(const Vec3& wo, const Vec3& wi) const;
     [[nodiscard]] Sample sample(const Vec3& wo, float uLobe, Vec2 u) const;
 
+    /// Of a pane: that sample() goes straight through it, at the cosine of wo.
+    [[nodiscard]] float chanceThrough(float cosine) const;
+    /// Has a coat, whose reflections dim what is below it by angle.
+    [[nodiscard]] bool coated() const { return coated_; }
+    /// What the diffuse part of Value and Sample depends on wo by, at the cosine of wo.
+    [[nodiscard]] S diffuseFactor(float cosine) const;
+
     /// All it scatters of light from above, roughly: for steering and the constant ambient term.
     [[nodiscard]] S albedo(float cosine) const;
 

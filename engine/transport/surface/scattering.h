@@ -10,6 +10,7 @@ template <Spectrum S>
 struct ScatterValue {
     S cosineWeighted{0.0F};  // f |cos wi|
     float pdf = 0;           // of sampling wi [1/sr]
+    S diffuse{0.0F};         // the part of cosineWeighted that depends on wo by a factor of its cosine alone
 };
 
 /// A direction that a surface chose. Directions point away from it.
@@ -21,6 +22,7 @@ struct ScatterSample {
     bool passedThrough = false;  // straight on
     bool refracted = false;      // into the solid on the other side, or out of it
     bool absorbed = false;
+    S diffuse{0.0F};             // the part of weight that depends on wo by a factor of its cosine alone
 };
 
 }  // namespace luxdeck

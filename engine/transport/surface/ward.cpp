@@ -65,7 +65,7 @@ ScatterValue<S> WardSurface<S>::evaluate(const Vec3& wo, const Vec3& wi) const {
         f += part(glossy) * lobe.value;
         pdf += chance_[glossy] * lobe.pdf;
     }
-    return {f * cosine, pdf};
+    return {f * cosine, pdf, part(flat) * (cosine / kPi)};
 }
 
 template <Spectrum S>
@@ -94,7 +94,7 @@ ScatterSample<S> WardSurface<S>::sample(const Vec3& wo, float uPart, Vec2 u) con
     const auto value = evaluate(wo, out.wi);
     out.pdf = value.pdf;
     out.absorbed = !(value.pdf > 0);
-    if (!out.absorbed) out.weight = value.cosineWeighted * (1 / value.pdf);
+    if (!out.absorbed) out.weight = value.cosineWeighted * (1 / value.pdf), out.diffuse = value.diffuse * (1 / value.pdf);
     return out;
 }
 

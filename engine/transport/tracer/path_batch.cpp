@@ -18,6 +18,9 @@ namespace {
 constexpr int kLongPath = 64;
 constexpr float kLongPathSurvival = 0.98F;
 
+/// Of the matte vertices, those that look for lights in mirrors.
+constexpr float kMirrorShare = 0.25F;
+
 bool isFiniteAndPositive(const Rgb& c, RayFailure& failure) {
     if (!isFinite(c)) failure = RayFailure::NotFinite;
     else if (c.min() < 0) failure = RayFailure::Negative;
@@ -60,6 +63,7 @@ TransportCounters PathBatch<S>::run() {
         trace();
         for (std::size_t i = 0; i < paths_.size(); ++i) shade(i);
         traceShadows();
+        traceMirrored();
         removeEnded();
     }
     return finish();
@@ -121,6 +125,7 @@ bool PathBatch<S>::meets(Path& path, const Hit& hit, SurfacePoint& point) {
     if (!scene_.needs.alpha || !point.material->hasHoles()) return true;
     if (path.numbers.next1D() < coverage(scene_.scene, *point.material, point.uv)) return true;
     recordVirtual(path, hit.distance, true);
+    path.straight = false;
     goStraightOn(path, point);
     return false;
 }
@@ -144,7 +149,7 @@ void PathBatch<S>::shadeMet(Path& path, const Hit& hit, const SurfacePoint& poin
     if (last && !bsdf.letsThrough()) path.ended = true;
     else if (!bsdf.specular()) scatterRough(path, hit, point, bsdf, last);
     else if (point.material->kind == MaterialKind::Dielectric) scatterBoundary(path, point, bsdf);
-    else scatterSpecular(path, point, bsdf);
+    else scatterSpecular(path, hit, point, bsdf);
     if (path.reflections > settings_.maxReflections) path.ended = true;
 }
 
@@ -196,7 +201,7 @@ void PathBatch<S>::seeSky(Path& path) {
     path.ended = true;
     if (!scene_.needs.sky) return;
     const Rgb radiance = skyRadiance(scene_, path.from, path.ray.direction, path.pdfSolidAngle);
-    add(path.query, path.reflections, kFromSky, throughputAfter(path, kInfinity) * fromRgb<S>(radiance));
+    add(path, kFromSky, throughputAfter(path, kInfinity) * fromRgb<S>(radiance));
 }
 
 template <Spectrum S>
@@ -204,6 +209,7 @@ void PathBatch<S>::seeOpening(const Path& path, const Hit& hit) {
     const auto& luminaire = scene_.scene.luminaires[hit.luminaire];
     const auto opening = PlacedOpening::of(luminaire, scene_.scene.luminaireTypes[luminaire.type].photometry.opening);
     const auto met = opening.intersect(path.ray.origin, path.ray.direction, 0, kInfinity);
+    if (path.mirror != kNoMirror && foundByMirror(scene_, path.from, path.mirror, hit, path.ray.direction)) return;
     // The far side of a closed body faces away: what it emits there does not come this way.
     if (!met || (!opening.flat() && (dot(met->normal, path.ray.direction) >= 0 || met->distance < 0.999F * hit.distance)))
         return;
@@ -211,7 +217,7 @@ void PathBatch<S>::seeOpening(const Path& path, const Hit& hit) {
                           ? lampChance(scene_, path.from) * scene_.lights.pdfOpening(path.from, hit.luminaire, path.ray.direction)
                           : 0;
     const S radiance = fromRgb<S>(scene_.lights.openingRadiance(hit.luminaire, -path.ray.direction));
-    add(path.query, path.reflections, hit.luminaire, throughputAfter(path, hit.distance) * radiance * weightOfDirection(path, pdf));
+    add(path, hit.luminaire, throughputAfter(path, hit.distance) * radiance * weightOfDirection(path, pdf));
 }
 
 template <Spectrum S>
@@ -221,25 +227,30 @@ void PathBatch<S>::seeSurface(const Path& path, const Hit& hit, const SurfacePoi
     if (emitted.isBlack()) return;
     const float cosine = -dot(point.geometricNormal, path.ray.direction);
     const float distance = (point.position - path.from.position).length();
+    if (path.mirror != kNoMirror && foundByMirror(scene_, path.from, path.mirror, hit, cosine, distance)) return;
     const float pdf = path.pdfSolidAngle > 0
                           ? lampChance(scene_, path.from) * scene_.lights.pdfTriangle(path.from, hit.mesh, hit.triangle, distance, cosine)
                           : 0;
-    add(path.query, path.reflections, kFromSurfaces, path.throughput * fromRgb<S>(emitted) * weightOfDirection(path, pdf));
+    add(path, kFromSurfaces, path.throughput * fromRgb<S>(emitted) * weightOfDirection(path, pdf));
 }
 
 template <Spectrum S>
 template <class B>
-void PathBatch<S>::scatterSpecular(Path& path, const SurfacePoint& point, const B& bsdf) {
+void PathBatch<S>::scatterSpecular(Path& path, const Hit& hit, const SurfacePoint& point, const B& bsdf) {
     const auto frame = Frame::about(point.shadingNormal);
     const auto next = bsdf.sample(frame.toLocal(-path.ray.direction), path.numbers.next1D(), {0.5F, 0.5F});
+    const bool fromRough = path.pdfSolidAngle > 0;
     const Vec3 direction = next.passedThrough ? path.ray.direction : frame.toWorld(next.wi);
     const bool leaves = next.passedThrough || dot(direction, point.geometricNormal) > 0;
     path.throughput *= next.weight;
+    path.straight = path.straight && next.passedThrough && point.material->kind == MaterialKind::ThinGlass;
+    if (path.straight) path.passed *= next.weight;
     path.ended = !leaves || path.throughput.isBlack();
     path.ray = {point.departure(direction), 0, direction, kInfinity};
     if (next.passedThrough) return;  // straight on: next-event estimation saw through the pane as well
     ++path.reflections;
     path.pdfSolidAngle = 0;
+    path.mirror = fromRough ? scene_.mirrors.of(hit.mesh, hit.triangle) : kNoMirror;
 }
 
 /// Into a solid or out of it, or back. Radiance was found by no other strategy: shadow rays do not bend.
@@ -259,10 +270,18 @@ void PathBatch<S>::scatterBoundary(Path& path, const SurfacePoint& point, const 
     path.throughput *= next.weight;
     path.ray = {point.departure(direction), 0, direction, kInfinity};
     path.pdfSolidAngle = 0;
+    path.mirror = kNoMirror;
+    path.straight = false;
     auto& media = media_[path.query];
     if (!next.refracted) ++path.reflections;
     else if (!point.frontFace) media.leave(*point.material);
     else if (!media.enter(*point.material)) truncate(path);
+}
+
+/// No pattern, which may change with the direction, decides what the surface is.
+template <Spectrum S>
+bool PathBatch<S>::looksAlike(const Hit& hit, const SurfacePoint& point) const {
+    return !scene_.needs.patterns || (point.material->reflectancePattern < 0 && point.material == &scene_.scene.materials[scene_.scene.meshes[hit.mesh].material]);
 }
 
 template <Spectrum S>
@@ -273,10 +292,46 @@ void PathBatch<S>::scatterRough(Path& path, const Hit& hit, const SurfacePoint& 
     // Light from behind must not be weighed away where it is scattered through.
     const Receiver here{point.departure(point.geometricNormal), bsdf.transmits() ? Vec3(0, 0, 0) : point.shadingNormal,
                         point.material->kind != MaterialKind::Matte};
+    if (atFirstBounce(path) && looksAlike(hit, point) && (!scene_.needs.dielectrics || media_[path.query].inAir()))
+        settings_.bounces[path.query] = {true, here.position, point.geometricNormal, point.shadingNormal, hit, bsdf.coated(),
+                                         path.vertices > 0, toRgb(path.passed), {}};
+    if (atFirstBounce(path) && settings_.goesOn < 1 && settings_.bounces[path.query].met && point.material->kind == MaterialKind::Matte) {
+        path.ended = path.numbers.next1D() >= settings_.goesOn;
+        if (path.ended) return;
+        path.throughput *= 1 / settings_.goesOn;
+    }
     if (!last && !settings_.ambientRadiance.isBlack())
-        add(path.query, 2, kFromAmbient, path.throughput * bsdf.albedo(wo.z) * fromRgb<S>(settings_.ambientRadiance));
+        add(path.query, 2, kFromAmbient, path.throughput * bsdf.albedo(wo.z) * fromRgb<S>(settings_.ambientRadiance), S(0.0F));
     if (!last) connectLight(path, here, point, frame, wo, bsdf);
+    if (!last && path.reflections + 1 < settings_.maxReflections && !scene_.mirrors.empty())
+        connectByMirror(path, here, point, frame, wo, bsdf);
     scatter(path, here, point, frame, wo, bsdf);
+    path.straight = false;
+}
+
+/// Looks for a light in a mirror or pane, at some of the vertices, which count for all.
+template <Spectrum S>
+template <class B>
+void PathBatch<S>::connectByMirror(Path& path, const Receiver& here, const SurfacePoint& point, const Frame& frame, const Vec3& wo,
+                                   const B& bsdf) {
+    if (here.glossy || path.numbers.next1D() >= kMirrorShare) return;
+    const auto choice = scene_.mirrors.choose(path.numbers.next1D());
+    const auto& mirror = scene_.mirrors.all()[choice.mirror];
+    const auto weights = scene_.lights.weighThrough(mirror.mirrored(here), mirror.frame);
+    const float uSelect = path.numbers.next1D();
+    const auto found = aimByMirror(scene_, here, choice.mirror, weights, uSelect, path.numbers.next2D());
+    if (!found || dot(found->direction, point.geometricNormal) <= 0) return;
+    const auto value = bsdf.evaluate(wo, frame.toLocal(found->direction));
+    const S contribution = path.throughput * value.cosineWeighted * fromRgb<S>(found->light.weight) * (1 / (kMirrorShare * choice.probability));
+    if (!contribution.isBlack()) mirrored_.push_back({*found, contribution, here.position, path.query, path.reflections + 2,
+                                                       atFirstBounce(path) ? partOf(value.diffuse, value.cosineWeighted) : path.diffuse});
+}
+
+template <Spectrum S>
+void PathBatch<S>::traceMirrored() {
+    for (const auto& m : mirrored_)
+        add(m.query, m.reflections, m.path.light.source, m.contribution * fromRgb<S>(throughputByMirror(scene_, m.origin, m.path, counters_)), m.diffuse);
+    mirrored_.clear();
 }
 
 template <Spectrum S>
@@ -294,7 +349,8 @@ void PathBatch<S>::connectLight(Path& path, const Receiver& here, const SurfaceP
     S contribution = throughputAfter(path, light.distance) * value.cosineWeighted * fromRgb<S>(light.weight);
     if (light.shared) contribution *= light.pdfSolidAngle / (light.pdfSolidAngle + value.pdf);
     if (contribution.isBlack()) return;
-    shadows_.push_back({contribution, path.query, path.reflections + 1, light.source});
+    shadows_.push_back({contribution, path.query, path.reflections + 1, light.source,
+                        atFirstBounce(path) ? partOf(value.diffuse, value.cosineWeighted) : path.diffuse});
     const Vec3 origin = height > 0 ? here.position : point.departure(light.direction);
     shadowRays_.push_back({origin, 0, light.direction, light.distance * (1 - kShadowShortening)});
 }
@@ -307,6 +363,7 @@ void PathBatch<S>::scatter(Path& path, const Receiver& here, const SurfacePoint&
     const auto next = bsdf.sample(wo, uLobe, path.numbers.next2D());
     const Vec3 direction = frame.toWorld(next.wi);
     path.throughput *= next.weight;
+    if (atFirstBounce(path)) path.diffuse = partOf(next.diffuse, next.weight);
     path.ended = next.absorbed || path.throughput.isBlack();
     if (next.passedThrough) return goStraightOn(path, point);  // as through a pane
     const float height = dot(direction, point.geometricNormal);
@@ -314,6 +371,7 @@ void PathBatch<S>::scatter(Path& path, const Receiver& here, const SurfacePoint&
     path.from = here;
     path.ray = {height > 0 ? here.position : point.departure(direction), 0, direction, kInfinity};
     path.pdfSolidAngle = next.pdf;
+    path.mirror = kNoMirror;
     ++path.reflections;
     const auto& needs = scene_.needs;
     const bool canSeeLight = needs.sky || needs.meshLights || needs.luminaireSurfaces;
@@ -354,7 +412,7 @@ void PathBatch<S>::traceShadows() {
         S contribution = shadows_[i].contribution;
         if (scene_.needs.transmission)
             contribution *= fromRgb<S>(paneTransmittance(scene_, shadowRays_[i], counters_));
-        add(shadows_[i].query, shadows_[i].reflections, shadows_[i].source, contribution);
+        add(shadows_[i].query, shadows_[i].reflections, shadows_[i].source, contribution, shadows_[i].diffuse);
     }
     shadows_.clear();
     shadowRays_.clear();
@@ -366,8 +424,9 @@ void PathBatch<S>::removeEnded() {
 }
 
 template <Spectrum S>
-void PathBatch<S>::add(std::uint32_t query, int reflections, LightSource source, const S& radiance) {
+void PathBatch<S>::add(std::uint32_t query, int reflections, LightSource source, const S& radiance, const S& diffuse) {
     auto& sample = samples_[query];
+    if (reflections > 0 && !settings_.bounces.empty()) settings_.bounces[query].diffuse += toRgb(radiance * diffuse);
     (reflections == 0 ? sample.emitted : reflections == 1 ? sample.direct : sample.indirect) += toRgb(radiance);
     if (settings_.shares != nullptr) settings_.shares->push_back({toRgb(radiance), query, source, reflections == 0});
 }

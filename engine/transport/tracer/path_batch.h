@@ -3,6 +3,7 @@
 #include "engine/transport/radiance_estimator.h"
 #include "engine/transport/spectrum.h"
 #include "engine/transport/tracer/media.h"
+#include "engine/transport/tracer/mirrored_light.h"
 
 #include <cstdint>
 #include <span>
@@ -12,6 +13,20 @@ namespace luxdeck {
 
 struct SurfacePoint;
 
+/// Where a path was first scattered, met straight: nothing but glass panes before it. What its surface scatters
+/// alike in all directions looks the same to all who see the place, but for a factor of the angle.
+struct FirstBounce {
+    bool met = false;
+    Vec3 position{0, 0, 0};         // just off the surface [m]
+    Vec3 geometricNormal{0, 0, 1};  // to the side that was met
+    Vec3 shadingNormal{0, 0, 1};
+    Hit hit;                        // for the factor of the angle; of a matte or Ward surface it is 1
+    bool coated = false;            // the factor is not 1
+    bool behindPanes = false;
+    Rgb passed{1.0F};               // transmittance of the panes over the chance of going through
+    Rgb diffuse;                    // the part of the sample's reflected radiance that was scattered so [cd/m^2]
+};
+
 /// What a tracer follows.
 struct TracerSettings {
     int maxReflections = 1 << 30;  // light that was reflected more often is left out
@@ -20,6 +35,8 @@ struct TracerSettings {
                                    // reflections left out [cd/m^2]
     std::vector<SourceShare>* shares = nullptr;  // not null: what each light gave is appended to it; of radiance,
                                                  // `direct` being what was emitted
+    std::span<FirstBounce> bounces;              // empty, or filled for each query
+    float goesOn = 1;                            // with bounces: the part of the paths that go on from a matte one
 };
 
 /// A batch of light paths, followed together from where light is asked for towards the lights: trace all
@@ -43,9 +60,14 @@ private:
         std::uint32_t query = 0;
         int reflections = 0;       // so far, mirrors included, passages through panes and into solids not
         int vertices = 0;
+        bool straight = true;      // only panes so far, passed straight through
+        S passed{1.0F};            // their weights
+        S diffuse{0.0F};           // the part of what comes that its first bounce scattered alike in all directions
         Receiver from;             // where the direction was sampled
         float pdfSolidAngle = 0;   // of the direction; 0: no other strategy, light counts in full
         float travelled = 0;       // along specular vertices since the start [m]
+        std::uint32_t mirror = kNoMirror;  // the flat mirror or pane that turned the path since it was scattered last,
+                                           // when next-event estimation looked that way too
         bool virtualOpen = true;   // only mirrors and panes so far
         bool ended = false;
     };
@@ -54,6 +76,16 @@ private:
         std::uint32_t query;
         int reflections;
         LightSource source;
+        S diffuse;
+    };
+
+    struct Mirrored {
+        MirrorPath path;
+        S contribution;
+        Vec3 origin;
+        std::uint32_t query;
+        int reflections;
+        S diffuse;
     };
 
     void trace();
@@ -74,10 +106,16 @@ private:
     void recordVirtual(Path& path, float distance, bool specular);
     void roulette(Path& path);
     void truncate(Path& path);
+    template <class B>
+    void connectByMirror(Path& path, const Receiver& here, const SurfacePoint& point, const Frame& frame, const Vec3& wo, const B& bsdf);
+    void traceMirrored();
     void traceShadows();
     void removeEnded();
     /// Adds to the part that light with this many reflections belongs to.
-    void add(std::uint32_t query, int reflections, LightSource source, const S& radiance);
+    void add(std::uint32_t query, int reflections, LightSource source, const S& radiance, const S& diffuse);
+    void add(const Path& path, LightSource source, const S& radiance) { add(path.query, path.reflections, source, radiance, path.diffuse); }
+    [[nodiscard]] bool looksAlike(const Hit& hit, const SurfacePoint& point) const;
+    [[nodiscard]] bool atFirstBounce(const Path& path) const { return path.straight && !settings_.bounces.empty(); }
     TransportCounters finish();
 
     /// The part of light found by the path's own direction, next-event estimation taking the rest.
@@ -86,7 +124,7 @@ private:
     }
 
     template <class B>
-    void scatterSpecular(Path& path, const SurfacePoint& point, const B& bsdf);
+    void scatterSpecular(Path& path, const Hit& hit, const SurfacePoint& point, const B& bsdf);
     template <class B>
     void scatterBoundary(Path& path, const SurfacePoint& point, const B& bsdf);
     template <class B>
@@ -107,6 +145,7 @@ private:
     std::vector<Ray> rays_;
     std::vector<Hit> hits_;
     std::vector<Shadow> shadows_;
+    std::vector<Mirrored> mirrored_;
     std::vector<Ray> shadowRays_;
     std::vector<std::uint8_t> shadowed_;
     TransportCounters counters_;

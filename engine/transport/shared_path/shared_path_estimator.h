@@ -1,0 +1,13 @@
+#pragma once
+
+#include "engine/transport/radiance_estimator.h"
+
+#include <memory>
+
+namespace luxdeck {
+
+/// Path tracing whose neighbouring sensors share what their paths found; see the card beside this file.
+Result<std::unique_ptr<RadianceEstimator>> makeSharedPathEstimator(const TransportScene& scene,
+                                                             const AlgorithmSettings& settings);
+
+}  // namespace luxdeck
