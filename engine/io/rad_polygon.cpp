@@ -36,7 +36,8 @@ public:
         for (std::size_t i = 0; i < corners_.size(); ++i) rest.push_back(i);
         while (cut(rest)) {}
         rings_.push_back(rest);
-        const bool outermost = area(rest) > 0;
+        const auto outer = std::max_element(rings_.begin(), rings_.end(), [&](const Ring& a, const Ring& b) { return std::abs(area(a)) < std::abs(area(b)); });
+        const bool outermost = area(*outer) > 0;  // which ring is left at last does not say which is about the others
         for (auto& ring : rings_) {
             const bool hole = depth(ring) % 2 != 0;
             // Its first corner stays where it is: the seam ends there.

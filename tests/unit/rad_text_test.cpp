@@ -74,7 +74,7 @@ TEST(RadText, CommandsReachToTheEndOfTheirLine) {
 
 TEST(RadText, ErrorsSayWhereWhatAndWhatElse) {
     EXPECT_THAT(errorOf("\n\nvoid plastik x").text(), HasSubstr("a.rad:3: 'void plastik'"));
-    EXPECT_THAT(errorOf("void plastic x 0 0 5 1 2 3").text(), HasSubstr("expected 4 of 5 real arguments of plastic x"));
+    EXPECT_THAT(errorOf("void plastic x 0 0 5 1 2 3        ").text(), HasSubstr("expected 4 of 5 real arguments of plastic x"));
     EXPECT_THAT(errorOf("void plastic x 0 0 3 1 two 3").text(), HasSubstr("'two', expected a finite number (2 of 3"));
     EXPECT_THAT(errorOf("void plastic x 0 0 3 1 nan 3").text(), HasSubstr("expected a finite number"));
     EXPECT_THAT(errorOf("void plastic x 0 1 7 0").text(), HasSubstr("1 integer arguments of plastic x, expected 0"));
