@@ -1,6 +1,7 @@
 #include "engine/scene/scene.h"
 
 #include "engine/core/file.h"
+#include "engine/scene/duplicates.h"
 
 #include <fmt/format.h>
 
@@ -194,6 +195,8 @@ Result<void> validate(Scene& scene) {
     }
     if (dropped > 0)
         scene.warnings.push_back(fmt::format("{} triangles without area were left out: they reflect and hide nothing", dropped));
+    if (const auto twice = removeCoincidentEmitters(scene); twice > 0)
+        scene.warnings.push_back(fmt::format("{} emitting triangles lie exactly on others and were left out: they would shine twice", twice));
     return {};
 }
 

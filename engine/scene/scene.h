@@ -45,7 +45,7 @@ struct Scene {
 };
 
 /// Checks what every stage relies on: indices in range, finite coordinates, reflectances in 0..1 that
-/// conserve energy, finite non-negative emission. Degenerate triangles are dropped with a warning.
+/// conserve energy, finite non-negative emission. Triangles without area, or that shine twice, are dropped with a warning.
 ///
 /// errors  InvalidArgument naming mesh or material, index, value seen and value expected
 Result<void> validate(Scene& scene);

@@ -147,7 +147,7 @@ struct Algorithm {
 
 const std::vector<Algorithm>& algorithms();
 
-/// errors  InvalidArgument: no such algorithm (the message lists them) or a setting out of its range
+/// errors  InvalidArgument: no such algorithm (the message lists them), a setting out of range, light never lost (enclosure.h)
 Result<std::unique_ptr<RadianceEstimator>> makeEstimator(const std::string& algorithm, const TransportScene& scene,
                                                          const AlgorithmSettings& settings = {});
 

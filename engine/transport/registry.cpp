@@ -1,5 +1,6 @@
 #include "engine/transport/ambient/ambient_estimator.h"
 #include "engine/transport/direct/direct_estimator.h"
+#include "engine/transport/enclosure.h"
 #include "engine/transport/path/path_estimator.h"
 #include "engine/transport/radiance_estimator.h"
 #include "engine/transport/shared_path/shared_path_estimator.h"
@@ -25,7 +26,11 @@ Result<std::unique_ptr<RadianceEstimator>> makeEstimator(const std::string& algo
                                                          const AlgorithmSettings& settings) {
     std::string known;
     for (const auto& a : algorithms()) {
-        if (a.name == algorithm) return a.create(scene, settings);
+        if (a.name == algorithm) {
+            if (a.interreflection)
+                if (const auto ends = checkThatLightIsLost(scene); !ends) return ends.error();
+            return a.create(scene, settings);
+        }
         known += (known.empty() ? "" : ", ") + a.name;
     }
     return Error{ErrorCode::InvalidArgument, fmt::format("no algorithm \"{}\", expected one of: {}", algorithm, known)};

@@ -14,10 +14,6 @@ namespace luxdeck {
 
 namespace {
 
-/// Beyond this many vertices even a path between perfect mirrors must be able to end.
-constexpr int kLongPath = 64;
-constexpr float kLongPathSurvival = 0.98F;
-
 /// Of the matte vertices, those that look for lights in mirrors.
 constexpr float kMirrorShare = 0.25F;
 
@@ -388,8 +384,9 @@ void PathBatch<S>::roulette(Path& path) {
     }
     // In a solid radiance is larger by its squared index of refraction, which is no reason to live longer or less.
     const float ior = scene_.needs.dielectrics ? media_[path.query].ior() : 1.0F;
-    float survival = std::min(1.0F, path.throughput.max() * ior * ior);
-    if (path.vertices > kLongPath) survival = std::min(survival, kLongPathSurvival);
+    // Never less than that: weights would grow without bound, and the variance with them. What mirrors pass on without
+    // loss the cap ends.
+    const float survival = path.throughput.max() * ior * ior;
     if (survival >= 1) return;
     if (path.numbers.next1D() >= survival) path.ended = true;
     else path.throughput *= 1 / survival;
