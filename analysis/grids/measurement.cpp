@@ -24,6 +24,9 @@ std::array<double, kReplicates> over(std::array<double, kReplicates> sums, doubl
 /// Batches of a size that keeps the tracer's working set in the cache.
 constexpr std::size_t kBatch = 512;
 
+/// Of sensors asked together: larger, since each batch weighs the lights anew at each of them.
+constexpr std::size_t kSharedBatch = 2048;
+
 /// One sample of a target, in both forms that estimators answer.
 struct Outcome {
     Rgb direct, indirect;
@@ -51,6 +54,16 @@ std::vector<Outcome> ask(const RadianceEstimator& estimator, const Target& targe
     for (std::size_t i = 0; i < numbers.size(); ++i)
         outcomes[i] = {samples[i].direct, samples[i].indirect, samples[i].sawBackFace, samples[i].failure};
     return outcomes;
+}
+
+void enter(PointSums& sums, std::size_t replicate, const Outcome& o, const LuminanceWeights& weights) {
+    sums.direct[replicate] += luminance(o.direct, weights);
+    sums.indirect[replicate] += luminance(o.indirect, weights);
+    sums.rgb[0] += o.direct.r + o.indirect.r;
+    sums.rgb[1] += o.direct.g + o.indirect.g;
+    sums.rgb[2] += o.direct.b + o.indirect.b;
+    sums.backFaces += o.backFace ? 1 : 0;
+    sums.rejected += o.failure != RayFailure::None ? 1 : 0;
 }
 
 }  // namespace
@@ -90,15 +103,34 @@ PointSums measure(const RadianceEstimator& estimator, const LuminanceWeights& we
         for (const auto& share : shares)
             sums.layers[(2 * std::size_t{target.layers->layerOf(share.source)} + (share.direct ? 0 : 1)) * kReplicates +
                         (start + share.query) / count] += luminance(share.light, weights);
-        for (std::size_t i = start; i < end; ++i) {
-            const auto& o = outcomes[i - start];
-            sums.direct[i / count] += luminance(o.direct, weights);
-            sums.indirect[i / count] += luminance(o.indirect, weights);
-            sums.rgb[0] += o.direct.r + o.indirect.r;
-            sums.rgb[1] += o.direct.g + o.indirect.g;
-            sums.rgb[2] += o.direct.b + o.indirect.b;
-            sums.backFaces += o.backFace ? 1 : 0;
-            sums.rejected += o.failure != RayFailure::None ? 1 : 0;
+        for (std::size_t i = start; i < end; ++i) enter(sums, i / count, outcomes[i - start], weights);
+    }
+    return sums;
+}
+
+std::vector<PointSums> measureTogether(const RadianceEstimator& estimator, const LuminanceWeights& weights,
+                                       std::span<const Target> targets, std::span<const std::size_t> members, std::uint64_t seed,
+                                       std::uint32_t first, std::uint32_t count, TransportCounters& counters) {
+    const std::size_t n = members.size();
+    std::vector<PointSums> sums(n);
+    for (auto& s : sums) s.perReplicate = count;
+    const std::size_t perBatch = std::max<std::size_t>(1, kSharedBatch / n), total = std::size_t{count} * kReplicates;
+    std::vector<SensorQuery> queries;
+    std::vector<SensorSample> samples;
+    for (std::size_t start = 0; start < total; start += perBatch) {
+        const std::size_t end = std::min(total, start + perBatch);
+        queries.clear();
+        for (std::size_t i = start; i < end; ++i)
+            for (const auto member : members) {
+                auto& query = queries.emplace_back(targets[member].sensor);
+                query.group = static_cast<std::uint32_t>(i - start);
+                query.numbers = SamplePath(streamSeed(seed, targets[member].stream, i / count), first + static_cast<std::uint32_t>(i % count));
+            }
+        samples.resize(queries.size());
+        counters += estimator.irradiance(queries, samples);
+        for (std::size_t q = 0; q < queries.size(); ++q) {
+            const auto& s = samples[q];
+            enter(sums[q % n], (start + q / n) / count, {s.direct, s.indirect, s.sawBackFace, s.failure}, weights);
         }
     }
     return sums;

@@ -41,6 +41,7 @@ struct Target {
     bool radiance = false;      // false: illuminance at `sensor`
     SensorQuery sensor;
     Ray ray;
+    std::uint32_t grid = 0;     // sensors of one grid may be asked together
     std::uint64_t stream = 0;   // its own random stream: the point's index among all
     const LayerMap* layers = nullptr;  // not null: light is kept apart by layers; of illuminance alone
 };
@@ -50,5 +51,10 @@ struct Target {
 PointSums measure(const RadianceEstimator& estimator, const LuminanceWeights& weights, const Target& target,
                   std::uint64_t seed, std::uint32_t first, std::uint32_t count, TransportCounters& counters);
 
+/// The same for neighbours that are asked together, sample by sample: members' sums, in their order. Depends on the
+/// whole group.
+std::vector<PointSums> measureTogether(const RadianceEstimator& estimator, const LuminanceWeights& weights,
+                                       std::span<const Target> targets, std::span<const std::size_t> members, std::uint64_t seed,
+                                       std::uint32_t first, std::uint32_t count, TransportCounters& counters);
 
 }  // namespace luxdeck

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis/grids/measurement.h"
+#include "analysis/grids/neighbours.h"
 #include "engine/core/progress.h"
 
 #include <chrono>
@@ -27,9 +28,11 @@ class SamplingRun {
 public:
     SamplingRun(const RadianceEstimator& estimator, const LuminanceWeights& weights, std::vector<Target> targets,
                 std::uint64_t seed)
-        : estimator_(estimator), weights_(weights), targets_(std::move(targets)), sums_(targets_.size()), seed_(seed) {}
+        : estimator_(estimator), weights_(weights), targets_(std::move(targets)), groups_(neighbours(targets_, estimator.groupSize())),
+          sums_(targets_.size()), seed_(seed) {}
 
-    /// Adds request[i] samples to every replicate of target i (0: none). Stops early when cancelled or at
+    /// Adds request[i] samples to every replicate of target i (0: none); targets that are asked together get as many as
+    /// the one that needs most. Stops early when cancelled or at
     /// the deadline (seconds on the run's clock). Reports after each slice of about a quarter second.
     ///
     /// returns  whether the round was finished
@@ -44,8 +47,9 @@ public:
 
 private:
     struct Slice {
-        std::size_t first, last;  // targets
+        std::size_t first, last;  // groups
     };
+    [[nodiscard]] std::uint32_t requestOf(std::size_t group, const std::vector<std::uint32_t>& request) const;
     void runSlice(const std::vector<std::uint32_t>& request, Slice slice, const Progress& progress,
                   std::optional<double> deadline);
 
@@ -55,6 +59,7 @@ private:
     const RadianceEstimator& estimator_;
     LuminanceWeights weights_;
     std::vector<Target> targets_;
+    std::vector<std::vector<std::size_t>> groups_;
     std::vector<PointSums> sums_;
     std::uint64_t seed_;
     TransportCounters counters_;

@@ -85,6 +85,7 @@ private:
                 target.sensor.position = scene.toRebased(layouts_[g].points[i]);
                 target.sensor.normal = Vec3(layouts_[g].normals[i]);
                 target.sensor.kind = project_.grids[g].kind == GridKind::Cylindrical ? SensorKind::Cylindrical : SensorKind::Planar;
+                target.grid = static_cast<std::uint32_t>(g);
                 target.stream = points_.size();
                 if (settings_.byLuminaire) target.layers = &layerMap_;
                 targets.push_back(target);
