@@ -70,6 +70,7 @@ Command addSense(CLI::App& program);
 Command addRender(CLI::App& program);
 Command addExport(CLI::App& program);
 Command addTonemap(CLI::App& program);
+Command addValidate(CLI::App& program);
 #ifdef LUXDECK_REPORT
 Command addReport(CLI::App& program);
 #endif

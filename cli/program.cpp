@@ -33,7 +33,7 @@ void addCommon(CLI::App& app, Common& common) {
 }
 
 std::vector<Command> addCommands(CLI::App& program) {
-    return {addCheck(program), addSolve(program), addSense(program), addRender(program), addTonemap(program), addExport(program),
+    return {addCheck(program), addSolve(program), addSense(program), addRender(program), addTonemap(program), addExport(program), addValidate(program),
 #ifdef LUXDECK_REPORT
             addReport(program),
 #endif
