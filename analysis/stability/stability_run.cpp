@@ -47,7 +47,9 @@ void measureCase(const StabilityCase& one, const RadianceEstimator& estimator, c
     for (std::uint32_t paths = kFirst * kReplicates;; paths *= 2) {
         run.round(std::vector<std::uint32_t>(one.sensors.size(), more), silent, state, std::nullopt);
         out.lux = meanOf(run.sums());
-        if (progress.cancelled() || paths >= one.mostPaths || preciseEnough(out.lux, out.expected, one.precision / 2)) break;
+        // Light that no path has met yet is 0 +- 0, which says nothing where there is some.
+        const bool met = out.lux.value > 0 || out.expected.lux.value_or(0) == 0;
+        if (progress.cancelled() || paths >= one.mostPaths || (met && preciseEnough(out.lux, out.expected, one.precision / 2))) break;
         more = paths / kReplicates;
     }
     out.counters = run.counters();
