@@ -26,24 +26,24 @@ def linear_pendant(v, h):
 
 
 def board_washer(v, h):
-    """B: a line of light thrown towards h = 90, 30 degrees off the nadir, falling off faster upwards."""
+    """B: a line of light thrown towards h = 90, 27 degrees off the nadir, falling off faster upwards."""
     if v >= 90:
         return 0.0
     sv, cv = math.sin(math.radians(v)), math.cos(math.radians(v))
     x, y = sv * math.cos(math.radians(h)), sv * math.sin(math.radians(h))
     throw = math.degrees(math.atan2(y, cv))          # in the plane square to the board
     spread = math.degrees(math.asin(max(-1.0, min(1.0, x))))
-    width = 19.0 if throw > 30 else 17.0
+    width = 16.5 if throw > 27 else 17.0
     rim = min(1.0, cv / 0.35)                        # the luminance stays finite up to the horizontal
-    return math.exp(-((throw - 30) / width) ** 2) * math.cos(math.radians(spread)) ** 1.5 * rim
+    return math.exp(-((throw - 27) / width) ** 2) * math.cos(math.radians(spread)) ** 0.8 * rim
 
 
 def write_pendant():
     gammas, stored = steps(0, 180, 2.5), steps(0, 90, 5)
-    table = sampled(linear_pendant, gammas, stored, 4200, copies=4)
+    table = sampled(linear_pendant, gammas, stored, 2400, copies=4)
     down = [[i if g < 90 else 0.0 for g, i in zip(gammas, row)] for row in table]
-    percent = 100 * exact_lumens(gammas, stored, down) * 4 / 4200
-    text = ldt_text("Linear pendant 1200, direct and indirect", "LXD-CL-A", "a_pendant.ldt", 4, 4200, 31,
+    percent = 100 * exact_lumens(gammas, stored, down) * 4 / 2400
+    text = ldt_text("Linear pendant 1200, direct and indirect", "LXD-CL-A", "a_pendant.ldt", 4, 2400, 18,
                     (1220, 120, 12, 1180, 90), steps(0, 355, 5), gammas, table, percent)
     (FOLDER / "a_pendant.ldt").write_bytes(text.encode("latin-1"))
     print(f"a_pendant.ldt: {percent:.1f} % down")
@@ -51,8 +51,8 @@ def write_pendant():
 
 def write_washer():
     v, h = steps(0, 90, 2.5), steps(90, 270, 5)      # LM-63 stores 90 .. 270 for a mirror plane through 90 and 270
-    table = sampled(board_washer, v, h, 2400, copies=2)
-    text = ies_text("Board washer 1200, asymmetric", "LXD-CL-B", 2400, 20, "0.06 1.14 0", v, h, table)
+    table = sampled(board_washer, v, h, 1700, copies=2)
+    text = ies_text("Board washer 1200, asymmetric", "LXD-CL-B", 1700, 14, "0.06 1.14 0", v, h, table)
     (FOLDER / "b_board_washer.ies").write_bytes(text.encode("latin-1"))
     print("b_board_washer.ies")
 
