@@ -26,16 +26,16 @@ def linear_pendant(v, h):
 
 
 def board_washer(v, h):
-    """B: a line of light thrown towards h = 90, 27 degrees off the nadir, falling off faster upwards."""
+    """B: a line of light thrown towards h = 90, 30 degrees off the nadir; widths chosen for an even board."""
     if v >= 90:
         return 0.0
     sv, cv = math.sin(math.radians(v)), math.cos(math.radians(v))
     x, y = sv * math.cos(math.radians(h)), sv * math.sin(math.radians(h))
     throw = math.degrees(math.atan2(y, cv))          # in the plane square to the board
     spread = math.degrees(math.asin(max(-1.0, min(1.0, x))))
-    width = 16.5 if throw > 27 else 17.0
+    width = 22.0 if throw > 30 else 15.0
     rim = min(1.0, cv / 0.35)                        # the luminance stays finite up to the horizontal
-    return math.exp(-((throw - 27) / width) ** 2) * math.cos(math.radians(spread)) ** 0.8 * rim
+    return math.exp(-((throw - 30) / width) ** 2) * math.cos(math.radians(spread)) ** 1.5 * rim
 
 
 def write_pendant():
