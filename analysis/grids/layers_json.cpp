@@ -33,9 +33,9 @@ PointSums pointOf(const nlohmann::json& json, std::size_t layers) {
     PointSums point;
     point.perReplicate = json.at("perReplicate").get<std::uint32_t>();
     point.backFaces = json.at("backFaces").get<std::uint64_t>(), point.rejected = json.at("rejected").get<std::uint64_t>();
-    point.layers.assign(layers * kNumbers, 0.0);
     const auto& rows = json.at("layers");
     if (rows.size() != layers) throw std::runtime_error(fmt::format("a point has {} layers, expected {}", rows.size(), layers));
+    point.layers.assign(layers * kNumbers, 0.0);  // no sooner: what is taken must be there to be filled
     for (std::size_t layer = 0; layer < layers; ++layer) {
         const auto& row = rows[layer];
         if (!row.empty() && row.size() != kNumbers)

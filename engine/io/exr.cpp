@@ -133,11 +133,28 @@ int linesPerChunk(Imf::Compression compression) {
     }
 }
 
+/// A tile may be larger than the picture, and OpenEXR makes room for the whole of one.
+///
+/// mostValues  that the file's size can hold
+Result<void> checkTiles(const Imf::Header& header, std::uint64_t channelCount, std::uint64_t mostValues, const std::string& where) {
+    if (!header.hasTileDescription()) return {};
+    const auto& tile = header.tileDescription();
+    constexpr std::uint64_t kAlways = 512ULL * 512ULL;  // pixels; writers use 16 to 256 a side
+    const auto pixels = std::uint64_t{tile.xSize} * tile.ySize;
+    if (tile.xSize < 1 || tile.ySize < 1 || tile.xSize > kLargestImageSide || tile.ySize > kLargestImageSide ||
+        (pixels > kAlways && pixels * channelCount > mostValues))
+        return Error{ErrorCode::Parse, fmt::format("tiles of {} x {} pixels, expected what the file can hold", tile.xSize, tile.ySize), where};
+    return {};
+}
+
 /// What the header promises against what the file's size can hold, before anything is allocated.
 Result<void> checkHeader(const Imf::Header& header, std::size_t byteSize, const std::string& where) {
     const auto& window = header.dataWindow();
     const auto width = static_cast<std::int64_t>(window.max.x) - window.min.x + 1;
     const auto height = static_cast<std::int64_t>(window.max.y) - window.min.y + 1;
+    // A part may say itself how many chunks it has; each has a place in a table of 8 bytes.
+    if (header.hasChunkCount() && (header.chunkCount() < 0 || static_cast<std::uint64_t>(header.chunkCount()) * 8 > byteSize))
+        return Error{ErrorCode::Parse, fmt::format("{} chunks do not fit in a file of {} bytes", header.chunkCount(), byteSize), where};
     if (width < 1 || height < 1 || width > kLargestImageSide || height > kLargestImageSide)
         return Error{
             ErrorCode::Parse,
@@ -167,7 +184,7 @@ Result<void> checkHeader(const Imf::Header& header, std::size_t byteSize, const 
                      fmt::format("{} x {} pixels of {} channels do not fit in a file of {} bytes", width, height,
                                  channelCount, byteSize),
                      where};
-    return {};
+    return checkTiles(header, channelCount, byteSize * strongest / 2, where);
 }
 
 /// "stderr.Y" -> "Y".
@@ -191,10 +208,14 @@ Result<void> scaleToCandela(Image& image, const std::string& where) {
     return {};
 }
 
-/// That no attribute claims more than the file has: OpenEXR makes room for it before it looks.
-Result<void> checkAttributes(std::string_view bytes, const std::string& where) {
+/// Of the version's flags: headers of several parts follow each other, an empty one after the last.
+bool hasParts(std::string_view bytes) { return (static_cast<unsigned char>(bytes[5]) & 0x10U) != 0; }
+
+/// That no attribute of the header at `at` claims more than the file has: OpenEXR makes room for it before it looks.
+///
+/// at  moves past the header
+Result<void> checkAttributes(std::string_view bytes, std::size_t& at, const std::string& where) {
     const auto cutOff = [&] { return Error{ErrorCode::Parse, "the header is cut off", where}; };
-    std::size_t at = 8;  // after magic number and version
     const auto skipName = [&] {
         const auto end = bytes.substr(at).find('\0');
         if (end == std::string_view::npos) return false;
@@ -214,24 +235,31 @@ Result<void> checkAttributes(std::string_view bytes, const std::string& where) {
                 where};
         at += size;
     }
-    return at < bytes.size() ? Result<void>() : cutOff();
+    return at++ < bytes.size() ? Result<void>() : cutOff();
 }
 
-/// Reads and checks the first header alone: opening the file whole would allocate a table as long as it claims.
-Result<void> checkFirstHeader(std::string_view bytes, const std::string& where) {
-    if (auto ok = checkAttributes(bytes, where); !ok) return ok.error();
+/// Reads and checks the headers alone: opening the file whole would allocate tables as long as they claim.
+Result<void> checkHeaders(std::string_view bytes, const std::string& where) {
+    if (bytes.size() < 8) return Error{ErrorCode::Parse, "the header is cut off", where};
+    std::size_t at = 8;  // after magic number and version
+    do {
+        if (auto ok = checkAttributes(bytes, at, where); !ok) return ok.error();
+    } while (hasParts(bytes) && at < bytes.size() && bytes[at] != '\0');
     MemoryInput stream(bytes, where);
     std::uint8_t b[8];
     stream.read(reinterpret_cast<char*>(b), 8);
     int version = b[4] | b[5] << 8 | b[6] << 16;
     if (Imf::isNonImage(version)) return Error{ErrorCode::Unsupported, "is a deep picture, expected a flat one", where};
-    Imf::Header header;
-    header.readFrom(stream, version);
-    return checkHeader(header, bytes.size(), where);
+    do {
+        Imf::Header header;
+        header.readFrom(stream, version);
+        if (auto ok = checkHeader(header, bytes.size(), where); !ok) return ok.error();
+    } while (hasParts(bytes) && stream.tellg() < bytes.size() && bytes[stream.tellg()] != '\0');
+    return {};
 }
 
 Result<Image> decode(std::string_view bytes, const std::string& where) {
-    if (auto ok = checkFirstHeader(bytes, where); !ok) return ok.error();
+    if (auto ok = checkHeaders(bytes, where); !ok) return ok.error();
     MemoryInput stream(bytes, where);
     Imf::InputFile file(stream);
     const Imf::Header& header = file.header();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace luxdeck::photometry {
 namespace {
@@ -45,7 +46,7 @@ Result<std::vector<std::size_t>> risingOrder(const std::vector<double>& angles, 
     std::size_t duplicates = 0;
     for (std::size_t k = 0; k < angles.size(); ++k) {
         const std::size_t i = falling ? angles.size() - 1 - k : k;
-        const double previous = order.empty() ? angles[i] - 1 : angles[order.back()];
+        const double previous = order.empty() ? -std::numeric_limits<double>::infinity() : angles[order.back()];
         if (angles[i] < previous) {
             return refused(fmt::format("{} angle {} is {:.6g}, expected more than the one before, {:.6g}", what, i + 1,
                                        angles[i], previous));

@@ -102,14 +102,16 @@ Result<bool> parseHeading(std::span<const std::string> words, std::size_t& at, H
     return true;
 }
 
+/// An option of a transform with its arguments, in words.
+std::size_t wordsOf(std::string_view option) {
+    static constexpr std::string_view kOneArgument[] = {"-a", "-i", "-s", "-rx", "-ry", "-rz"};
+    if (option == "-t") return 4;
+    return std::find(std::begin(kOneArgument), std::end(kOneArgument), option) != std::end(kOneArgument) ? 2 : 1;
+}
+
 /// The words between the heading and the files: the transform, with its arrays.
 std::size_t transformEnd(std::span<const std::string> words, std::size_t at) {
-    static constexpr std::string_view kOneArgument[] = {"-a", "-i", "-s", "-rx", "-ry", "-rz"};
-    while (at < words.size() && words[at].starts_with('-') && words[at].size() > 1) {
-        if (words[at] == "-t") at += 4;
-        else if (std::find(std::begin(kOneArgument), std::end(kOneArgument), words[at]) != std::end(kOneArgument)) at += 2;
-        else at += 1;
-    }
+    while (at < words.size() && words[at].starts_with('-') && words[at].size() > 1) at += wordsOf(words[at]);
     return std::min(at, words.size());
 }
 
@@ -163,7 +165,7 @@ Result<XformCommand> parseXformCommand(std::span<const std::string> words, std::
     };
     std::vector<Pending> pending{{{words.begin() + static_cast<std::ptrdiff_t>(start), words.begin() + static_cast<std::ptrdiff_t>(end)}, heading.prefix}};
     bool named = heading.hasPrefix;
-    for (std::size_t at = 0; at < end - start; ++at) {
+    for (std::size_t at = 0; at < end - start; at += wordsOf(words[start + at])) {  // an argument may look like an option
         if (words[start + at] != "-a") continue;
         const auto count = argument(words, start + at + 1, "-a");
         if (!count) return count.error();
@@ -178,7 +180,6 @@ Result<XformCommand> parseXformCommand(std::span<const std::string> words, std::
             }
         pending = std::move(copies);
         named = true;
-        ++at;
     }
     XformCommand command;
     for (auto& one : pending) {
