@@ -1,5 +1,6 @@
 #include "analysis/grids/layers.h"
 
+#include "analysis/grids/condition.h"
 #include "analysis/grids/grid_results.h"
 
 #include <fmt/format.h>
@@ -110,7 +111,9 @@ Result<SolveResult> recombine(const Project& project, const LayeredSums& layers,
         return Error{ErrorCode::InvalidArgument, fmt::format("the layers have {} points, expected {} of the project's grids: solve again", layers.points.size(), points)};
     SolveResult result;
     result.project = project.info.name;
-    result.grids = gridResults(project, layouts, layers.combined(*factors));
+    const auto sums = layers.combined(*factors);
+    result.grids = gridResults(project, layouts, sums);
+    result.condition = conditionOf(project.scene, sums);
     result.algorithm = "layers";
     for (const auto& point : layers.points) result.samples += point.samples();
     result.sceneHash = project.scene.hash, result.projectHash = project.fileHash;

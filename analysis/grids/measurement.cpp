@@ -110,7 +110,7 @@ PointSums measure(const RadianceEstimator& estimator, const LuminanceWeights& we
 
 std::vector<PointSums> measureTogether(const RadianceEstimator& estimator, const LuminanceWeights& weights,
                                        std::span<const Target> targets, std::span<const std::size_t> members, std::uint64_t seed,
-                                       std::uint32_t first, std::uint32_t count, TransportCounters& counters) {
+                                       std::span<const std::uint32_t> firsts, std::uint32_t count, TransportCounters& counters) {
     const std::size_t n = members.size();
     std::vector<PointSums> sums(n);
     for (auto& s : sums) s.perReplicate = count;
@@ -121,10 +121,11 @@ std::vector<PointSums> measureTogether(const RadianceEstimator& estimator, const
         const std::size_t end = std::min(total, start + perBatch);
         queries.clear();
         for (std::size_t i = start; i < end; ++i)
-            for (const auto member : members) {
-                auto& query = queries.emplace_back(targets[member].sensor);
+            for (std::size_t m = 0; m < n; ++m) {
+                const auto& target = targets[members[m]];
+                auto& query = queries.emplace_back(target.sensor);
                 query.group = static_cast<std::uint32_t>(i - start);
-                query.numbers = SamplePath(streamSeed(seed, targets[member].stream, i / count), first + static_cast<std::uint32_t>(i % count));
+                query.numbers = SamplePath(streamSeed(seed, target.stream, i / count), firsts[m] + static_cast<std::uint32_t>(i % count));
             }
         samples.resize(queries.size());
         counters += estimator.irradiance(queries, samples);

@@ -51,10 +51,10 @@ struct Target {
 PointSums measure(const RadianceEstimator& estimator, const LuminanceWeights& weights, const Target& target,
                   std::uint64_t seed, std::uint32_t first, std::uint32_t count, TransportCounters& counters);
 
-/// The same for neighbours that are asked together, sample by sample: members' sums, in their order. Depends on the
-/// whole group.
+/// The same for neighbours that are asked together, sample by sample, each from its own first sample on: members'
+/// sums, in their order. Depends on the whole group.
 std::vector<PointSums> measureTogether(const RadianceEstimator& estimator, const LuminanceWeights& weights,
                                        std::span<const Target> targets, std::span<const std::size_t> members, std::uint64_t seed,
-                                       std::uint32_t first, std::uint32_t count, TransportCounters& counters);
+                                       std::span<const std::uint32_t> firsts, std::uint32_t count, TransportCounters& counters);
 
 }  // namespace luxdeck

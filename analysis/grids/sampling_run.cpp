@@ -3,6 +3,8 @@
 #include "engine/core/parallel.h"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace luxdeck {
 
@@ -15,11 +17,33 @@ constexpr std::uint32_t kMostPerTask = 64;  // samples of each replicate: 2048 p
 
 struct Task {
     std::size_t group;
-    std::uint32_t first, count;
-    std::vector<PointSums> sums;  // of the group's members
+    std::vector<std::size_t> members;   // of the group: those that need these samples
+    std::vector<std::uint32_t> firsts;  // of the members
+    std::uint32_t count;
+    std::vector<PointSums> sums;        // of the members
     TransportCounters counters;
     bool done = false;
 };
+
+/// What a group's members need, in steps: all that need any get what the most modest needs, the others go on.
+void addTasks(std::size_t group, const std::vector<std::size_t>& all, const std::vector<std::uint32_t>& request,
+              const std::vector<PointSums>& sums, std::vector<Task>& tasks) {
+    std::uint32_t given = 0;
+    while (true) {
+        std::vector<std::size_t> members;
+        std::uint32_t level = std::numeric_limits<std::uint32_t>::max();
+        for (const auto member : all)
+            if (request[member] > given) members.push_back(member), level = std::min(level, request[member]);
+        if (members.empty()) return;
+        const auto most = std::max(4U, kMostPerTask / static_cast<std::uint32_t>(members.size()));
+        while (given < level) {
+            Task task{group, members, {}, std::min(most, level - given), {}, {}};
+            for (const auto member : members) task.firsts.push_back(sums[member].perReplicate + given);
+            given += task.count;
+            tasks.push_back(std::move(task));
+        }
+    }
+}
 
 }  // namespace
 
@@ -39,7 +63,7 @@ bool SamplingRun::round(const std::vector<std::uint32_t>& request, const Progres
         std::size_t last = first;
         double planned = 0;
         while (last < groups_.size() && planned < paths) {
-            planned += static_cast<double>(groups_[last].size()) * kReplicates * requestOf(last, request);
+            for (const auto member : groups_[last]) planned += double{kReplicates} * request[member];
             ++last;
         }
         runSlice(request, {first, last}, progress, deadline);
@@ -59,42 +83,28 @@ void SamplingRun::tell(ProgressState& state, double begun, double leftThen, std:
     if (state.secondsLeft >= 0) state.fraction = now / (now + state.secondsLeft);
 }
 
-std::uint32_t SamplingRun::requestOf(std::size_t group, const std::vector<std::uint32_t>& request) const {
-    std::uint32_t most = 0;
-    for (const auto member : groups_[group]) most = std::max(most, request[member]);
-    return most;
-}
-
 void SamplingRun::runSlice(const std::vector<std::uint32_t>& request, Slice slice, const Progress& progress,
                            std::optional<double> deadline) {
     std::vector<Task> tasks;
-    for (std::size_t g = slice.first; g < slice.last; ++g) {
-        const auto& members = groups_[g];
-        const auto most = std::max(4U, kMostPerTask / static_cast<std::uint32_t>(members.size()));
-        const auto wanted = requestOf(g, request);
-        for (std::uint32_t from = 0; from < wanted; from += most)
-            tasks.push_back({g, sums_[members.front()].perReplicate + from, std::min(most, wanted - from), {}, {}});
-    }
+    for (std::size_t g = slice.first; g < slice.last; ++g) addTasks(g, groups_[g], request, sums_, tasks);
     const Stopwatch busy;
     parallelFor(tasks.size(), [&](std::size_t t) {
         auto& task = tasks[t];
         if (progress.cancelled() || (deadline && seconds() >= *deadline)) return;
-        const auto& members = groups_[task.group];
-        if (members.size() == 1)
-            task.sums = {measure(estimator_, weights_, targets_[members.front()], seed_, task.first, task.count, task.counters)};
+        if (task.members.size() == 1)
+            task.sums = {measure(estimator_, weights_, targets_[task.members.front()], seed_, task.firsts.front(), task.count, task.counters)};
         else
-            task.sums = measureTogether(estimator_, weights_, targets_, members, seed_, task.first, task.count, task.counters);
+            task.sums = measureTogether(estimator_, weights_, targets_, task.members, seed_, task.firsts, task.count, task.counters);
         task.done = true;
     });
     busySeconds_ += busy.seconds();
     for (std::size_t t = 0; t < tasks.size();) {
-        const auto& members = groups_[tasks[t].group];
         std::size_t end = t;
         bool whole = true;
         for (; end < tasks.size() && tasks[end].group == tasks[t].group; ++end) whole = whole && tasks[end].done;
         for (; t < end; ++t) {
             counters_ += tasks[t].counters;
-            for (std::size_t m = 0; whole && m < members.size(); ++m) sums_[members[m]].add(tasks[t].sums[m]);
+            for (std::size_t m = 0; whole && m < tasks[t].members.size(); ++m) sums_[tasks[t].members[m]].add(tasks[t].sums[m]);
         }
     }
 }

@@ -31,8 +31,8 @@ public:
         : estimator_(estimator), weights_(weights), targets_(std::move(targets)), groups_(neighbours(targets_, estimator.groupSize())),
           sums_(targets_.size()), seed_(seed) {}
 
-    /// Adds request[i] samples to every replicate of target i (0: none); targets that are asked together get as many as
-    /// the one that needs most. Stops early when cancelled or at
+    /// Adds request[i] samples to every replicate of target i (0: none); those of a group that
+    /// need any are asked together. Stops early when cancelled or at
     /// the deadline (seconds on the run's clock). Reports after each slice of about a quarter second.
     ///
     /// returns  whether the round was finished
@@ -49,7 +49,6 @@ private:
     struct Slice {
         std::size_t first, last;  // groups
     };
-    [[nodiscard]] std::uint32_t requestOf(std::size_t group, const std::vector<std::uint32_t>& request) const;
     void runSlice(const std::vector<std::uint32_t>& request, Slice slice, const Progress& progress,
                   std::optional<double> deadline);
 

@@ -80,6 +80,8 @@ std::string solveJson(const SolveResult& r) {
     for (const auto& l : r.leftOut) out["leftOut"].push_back({{"what", l.what}, {"why", l.why}});
     out["warnings"] = r.warnings;
     out["truncatedFraction"] = r.truncatedFraction;
+    out["condition"] = {{"meanReflectance", r.condition.meanReflectance}, {"amplification", r.condition.amplification},
+                        {"effectiveReplicates", r.condition.effectiveReplicates}};
     out["rejectedSamples"] = r.rejectedSamples;
     out["sceneHash"] = r.sceneHash, out["projectHash"] = r.projectHash;
     out["version"] = r.version, out["kernel"] = r.kernel;

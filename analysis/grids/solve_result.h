@@ -47,7 +47,7 @@ struct GridResult {
     double spacingU = 0;       // [m]
     double spacingV = 0;
     double borderM = 0;
-    Vec3d origin, u, v;        // of the surface that was divided, after the border was taken off [m]
+    Vec3d origin{0, 0, 0}, u{0, 0, 0}, v{0, 0, 0};  // of the surface that was divided, after the border was taken off [m]
     std::vector<PointResult> points;  // rows from v = 0, columns from u = 0
     JudgedInterval mean;       // Ēm [lx]
     JudgedInterval minimum;    // Emin [lx]
@@ -62,6 +62,13 @@ struct ErrorAtTime {
     double relativeError = 0;  // the largest 95 % half-width over value among the asked-for statistics
     double rmsPointError = 0;  // root mean square of the points' relative half-widths
     std::uint64_t samples = 0;
+};
+
+/// How well posed a solve was (analysis/grids/condition.h says when a figure is bad, and why).
+struct Condition {
+    double meanReflectance = 0;      // of all surfaces by area [-]
+    double amplification = 1;        // 1 / (1 - mean reflectance): of light by reflections, and of errors of reflectances
+    double effectiveReplicates = 0;  // of the worst point: how many of its replicates carry the value, 1 .. kReplicates
 };
 
 struct LayeredSums;
@@ -86,6 +93,7 @@ struct SolveResult {
     std::vector<LeftOut> leftOut;
     std::vector<std::string> warnings;
     double truncatedFraction = 0;   // of the energy that Russian roulette's depth cap cut off, upper bound
+    Condition condition;
     std::uint64_t rejectedSamples = 0;  // NaN or negative, counted and left out
     std::string sceneHash, projectHash;
     std::string version;       // of luxdeck

@@ -1,5 +1,6 @@
 #include "analysis/grids/solver.h"
 
+#include "analysis/grids/condition.h"
 #include "analysis/grids/grid_points.h"
 #include "analysis/grids/grid_results.h"
 #include "analysis/grids/layers.h"
@@ -191,12 +192,14 @@ private:
         r.seed = settings_.seed, r.threads = threadCount();
         r.truncatedFraction = counters.paths > 0 ? counters.truncatedWeight / static_cast<double>(counters.paths) : 0;
         r.rejectedSamples = counters.rejected;
+        r.condition = conditionOf(project_.scene, run_.sums());
         r.sceneHash = project_.scene.hash, r.projectHash = project_.fileHash;
         r.version = kVersion;
         r.warnings = project_.scene.warnings;
         if (settings_.byLuminaire)
             r.layers = std::make_shared<LayeredSums>(LayeredSums{layerMap_.layers, run_.sums(), project_.scene.hash});
         addWarnings(r);
+        for (auto& warning : conditionWarnings(r.condition, r.truncatedFraction)) r.warnings.push_back(std::move(warning));
         const double pathsPerPoint = static_cast<double>(r.samples) / static_cast<double>(points_.size());
         if (specularChains_ && r.samples > 0 && pathsPerPoint < kPathsForSpecular)
             r.warnings.push_back(fmt::format("lamps mirrored in panes or mirrors are found by chance, and {:.0f} paths a point are few: intervals may be too "

@@ -3,7 +3,7 @@
 #include "engine/transport/enclosure.h"
 #include "engine/transport/path/path_estimator.h"
 #include "engine/transport/radiance_estimator.h"
-#include "engine/transport/shared_path/shared_path_estimator.h"
+#include "engine/transport/shared/shared_estimator.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace luxdeck {
 const std::vector<Algorithm>& algorithms() {
     static const std::vector<Algorithm> all{
         {"path", "unbiased path tracing: all interreflection, error by time alone", true, makePathEstimator},
-        {"shared-path", "unbiased path tracing whose neighbouring sensors share the light that their paths found", true, makeSharedPathEstimator},
+        {"shared", "unbiased path tracing whose neighbouring sensors share the light that their paths found", true, makeSharedEstimator},
         {"direct", "light straight from luminaires and sky, no interreflection", false, makeDirectEstimator},
         {"ambient", "direct light and a constant ambient illuminance (--ambient LX, zero by default)", false,
          makeAmbientEstimator},

@@ -110,7 +110,7 @@ TEST(IntervalCoverage, HoldsWithLampsMirroredInAPane) {
 // Neighbours' errors go together: each replicate is a whole grid of its own, so that intervals stay honest.
 TEST(IntervalCoverage, HoldsWhereSensorsShareLight) {
     SolveSettings settings;
-    settings.algorithm = "shared-path";
+    settings.algorithm = "shared";
     settings.samples = 256;
     expectWithin(coverages(settings, Pane::With), 93, 97);
 }

@@ -38,7 +38,7 @@ std::vector<PointSums> sums(const Lit& lit, const std::string& algorithm, const 
     TransportCounters counters;
     std::vector<std::size_t> members(targets.size());
     std::iota(members.begin(), members.end(), std::size_t{0});
-    if (together) return measureTogether(*estimator, lit.scene.weights, targets, members, seed, 0, perReplicate, counters);
+    if (together) return measureTogether(*estimator, lit.scene.weights, targets, members, seed, std::vector<std::uint32_t>(members.size(), 0), perReplicate, counters);
     std::vector<PointSums> all;
     for (const auto& target : targets) all.push_back(measure(*estimator, lit.scene.weights, target, seed, 0, perReplicate, counters));
     return all;
@@ -62,7 +62,7 @@ TEST(SharedLight, HasTheMeanThatPathsHave) {
     const Lit lit(furnishedRoom());
     for (const auto kind : {SensorKind::Planar, SensorKind::Cylindrical}) {
         const auto targets = rowOfSensors(6, 4, kind);
-        expectSame(sums(lit, "shared-path", targets, true, 256), sums(lit, "path", targets, false, 512, 2), "furnished room");
+        expectSame(sums(lit, "shared", targets, true, 256), sums(lit, "path", targets, false, 512, 2), "furnished room");
     }
 }
 
@@ -78,7 +78,7 @@ TEST(SharedLight, HasTheMeanThatPathsHaveInARichRoom) {
         t.stream = targets.size();
         targets.push_back(t);
     }
-    expectSame(sums(lit, "shared-path", targets, true, 512), sums(lit, "path", targets, false, 1024, 2), "rich room");
+    expectSame(sums(lit, "shared", targets, true, 512), sums(lit, "path", targets, false, 1024, 2), "rich room");
 }
 
 // In a matte room all indirect light can be shared. Invariant: 24 neighbours know it at least four times better in
@@ -91,13 +91,13 @@ TEST(SharedLight, LowersTheVarianceOfIndirectLight) {
         for (const auto& s : all) sum += std::pow(standardError(s.indirectMeans()), 2);
         return sum;
     };
-    EXPECT_LT(4 * variance(sums(lit, "shared-path", targets, true, 64)), variance(sums(lit, "path", targets, false, 64)));
+    EXPECT_LT(4 * variance(sums(lit, "shared", targets, true, 64)), variance(sums(lit, "path", targets, false, 64)));
 }
 
 TEST(SharedLight, OfASensorAloneIsItsOwn) {
     const Lit lit(furnishedRoom());
     const auto targets = rowOfSensors(1, 1);
-    expectSame(sums(lit, "shared-path", targets, false, 512), sums(lit, "path", targets, false, 512, 2), "alone");
+    expectSame(sums(lit, "shared", targets, false, 512), sums(lit, "path", targets, false, 512, 2), "alone");
 }
 
 // Invariant: every target is in one group, groups are small, and grids stay apart.
@@ -147,7 +147,7 @@ TEST(MirroredLight, OfALampIsTheLampBehindTheMirror) {
             const float cosine = way.x / way.length();
             const double reflectance = kind == MaterialKind::Mirror ? 0.9 : double{paneLight(Rgb(0.8F), 1.52F, cosine).reflected.g};
             const double expected = reflectance * 1000 * cosine / way.length2();
-            for (const auto* algorithm : {"path", "shared-path"}) {
+            for (const auto* algorithm : {"path", "shared"}) {
                 const auto got = sums(lit, algorithm, {target}, false, 64).front();
                 const double sigma = standardError(got.totalMeans());
                 EXPECT_NEAR(got.total().value, expected, kSigmas * sigma + 1e-3 * expected) << algorithm;

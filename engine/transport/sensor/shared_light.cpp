@@ -40,11 +40,12 @@ public:
 private:
     [[nodiscard]] bool shared(std::size_t y) const { return bounces_[y].met && !bounces_[y].diffuse.isBlack(); }
 
-    /// How densely a sensor's directions fall on the bounce, but for what is common to all sensors; 0 from behind.
+    /// How densely a sensor's directions fall on the surface at the bounce, times pi [1/m^2]; 0 from behind.
     [[nodiscard]] static float density(const SensorQuery& sensor, const Vec3& towards, const FirstBounce& bounce) {
         const float d2 = towards.length2();
-        if (!(d2 > 0) || dot(towards, bounce.geometricNormal) >= 0 || dot(towards, bounce.shadingNormal) >= 0) return 0;
-        return sensorWeight(sensor.kind, dot(towards, sensor.normal) / std::sqrt(d2)) / d2;
+        if (!(d2 > 0) || dot(towards, bounce.shadingNormal) >= 0) return 0;
+        const float d = std::sqrt(d2), cosineThere = -dot(towards, bounce.geometricNormal) / d;
+        return cosineThere > 0 ? sensorWeight(sensor.kind, dot(towards, sensor.normal) / d) * cosineThere / d2 : 0.0F;
     }
 
     /// Something is in the way of a ray: panes dim it, all else ends it.

@@ -12,9 +12,9 @@ namespace luxdeck {
 /// alone: every sensor of the group that sees y straight receives it too. Sensor i weighs it by the balance
 /// heuristic over the group (Veach & Guibas 1995), with one path for each sensor k that sees y:
 ///
-///     pi B (g_i / g_j) w_i / d_i^2  /  sum_k (w_k / d_k^2)
+///     pi B (g_i / g_j) w_i c_i / d_i^2  /  sum_k (w_k c_k / d_k^2)
 ///
-/// w: sensor's weight of the direction, d: its distance to y, g: factor of the angle (the cosine at y cancels).
+/// w: sensor's weight of the direction, c: cosine at y, d: distance between them, g: factor of the angle.
 /// The term is at most what sensor i's own path would count there.
 ///
 /// queries    #Q, groups consecutive

@@ -7,7 +7,7 @@
 namespace luxdeck {
 
 /// Path tracing whose neighbouring sensors share what their paths found; see the card beside this file.
-Result<std::unique_ptr<RadianceEstimator>> makeSharedPathEstimator(const TransportScene& scene,
+Result<std::unique_ptr<RadianceEstimator>> makeSharedEstimator(const TransportScene& scene,
                                                              const AlgorithmSettings& settings);
 
 }  // namespace luxdeck

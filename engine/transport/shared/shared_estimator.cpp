@@ -1,4 +1,4 @@
-#include "engine/transport/shared_path/shared_path_estimator.h"
+#include "engine/transport/shared/shared_estimator.h"
 
 #include "engine/transport/sensor/illuminance.h"
 
@@ -10,9 +10,9 @@ namespace luxdeck {
 
 namespace {
 
-class SharedPathEstimator final : public RadianceEstimator {
+class SharedEstimator final : public RadianceEstimator {
 public:
-    SharedPathEstimator(const TransportScene& scene, int maxVertices) : scene_(scene) { settings_.maxVertices = maxVertices; }
+    SharedEstimator(const TransportScene& scene, int maxVertices) : scene_(scene) { settings_.maxVertices = maxVertices; }
 
     TransportCounters radiance(std::span<const RadianceQuery> queries, std::span<RadianceSample> samples) const override {
         return tracePaths(scene_, settings_, queries, samples);
@@ -31,10 +31,10 @@ private:
 
 }  // namespace
 
-Result<std::unique_ptr<RadianceEstimator>> makeSharedPathEstimator(const TransportScene& scene, const AlgorithmSettings& settings) {
+Result<std::unique_ptr<RadianceEstimator>> makeSharedEstimator(const TransportScene& scene, const AlgorithmSettings& settings) {
     if (settings.maxVertices < 2 || settings.maxVertices > 1'000'000)
         return Error{ErrorCode::InvalidArgument, fmt::format("maxVertices is {}, expected 2 .. 1000000", settings.maxVertices)};
-    return std::unique_ptr<RadianceEstimator>(std::make_unique<SharedPathEstimator>(scene, settings.maxVertices));
+    return std::unique_ptr<RadianceEstimator>(std::make_unique<SharedEstimator>(scene, settings.maxVertices));
 }
 
 }  // namespace luxdeck
