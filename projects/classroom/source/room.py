@@ -220,11 +220,12 @@ def pin_board(width, height, seed):
 
 
 def wall_clock():
-    """Ten to ten; on a wall behind y = 0, faces -y, centred on the origin."""
-    face = lathe([(0, 0.002), (0.150, 0.002), (0.160, 0.012), (0.160, 0.034), (0.150, 0.036), (0.148, 0.026), (0, 0.026)], 48).turned("x", 90)
-    thing = Thing().add("plastic white", face)
+    """Half past eight; on a wall behind y = 0, faces -y, centred on the origin."""
+    case = lathe([(0, 0.002), (0.150, 0.002), (0.160, 0.012), (0.160, 0.034), (0.150, 0.036), (0.148, 0.024), (0, 0.024)], 48)
+    thing = Thing().add("plastic black", case.turned("x", 90))
+    thing.add("plastic white", lathe([(0, 0.0235), (0.1485, 0.0235), (0.1485, 0.026), (0, 0.026)], 48).turned("x", 90))
     bar = lambda length, wide, turn, y: box(-wide, y - 0.002, -0.02, wide, y, length).turned("y", turn)
-    return thing.add("plastic black", bar(0.075, 0.005, -55, -0.029), bar(0.115, 0.004, -60 + 360 * 5 / 6 - 240, -0.0325),
+    return thing.add("plastic black", bar(0.075, 0.005, 255, -0.029), bar(0.115, 0.004, 180, -0.0325),
                      *(box(-0.003, -0.0275, 0.120, 0.003, -0.0262, 0.138).turned("y", 30 * k) for k in range(12)))
 
 
