@@ -1,5 +1,6 @@
 #include "analysis/report/method_page.h"
 
+#include "analysis/grids/measurement.h"
 #include "analysis/report/number_format.h"
 
 #include <fmt/format.h>
@@ -25,6 +26,8 @@ std::vector<NamedText> runFacts(const SolveResult& solve) {
     facts.push_back({"Complete", solve.complete ? "yes" : "no: interrupted"});
     if (solve.ambientLux != 0) facts.push_back({"Constant ambient term", formatNumber(solve.ambientLux) + " lx added to every value"});
     facts.push_back({"Paths cut off", fmt::format("at most {} of the energy", formatPercent(solve.truncatedFraction))});
+    facts.push_back({"Condition", fmt::format("mean reflectance {}, 1/(1–ρ) = {:.1f}; {:.1f} of {} replicates count", formatPercent(solve.condition.meanReflectance),
+                                              solve.condition.amplification, solve.condition.effectiveReplicates, kReplicates)});
     facts.push_back({"Rejected samples", solve.rejectedSamples == 0 ? "none"
                                          : formatCount(solve.rejectedSamples) + " not finite or negative, counted and left out"});
     return facts;
