@@ -21,7 +21,9 @@
 #include <cmath>
 #include <cstring>
 #include <new>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace luxdeck {
 
@@ -211,6 +213,35 @@ Result<void> scaleToCandela(Image& image, const std::string& where) {
 /// Of the version's flags: headers of several parts follow each other, an empty one after the last.
 bool hasParts(std::string_view bytes) { return (static_cast<unsigned char>(bytes[5]) & 0x10U) != 0; }
 
+/// The size that OpenEXR reads of an attribute of this type whatever the file says; none: what it says.
+std::optional<std::uint32_t> fixedSize(std::string_view type) {
+    static constexpr std::pair<std::string_view, std::uint32_t> kSizes[] = {
+        {"box2i", 16}, {"box2f", 16}, {"int", 4},   {"float", 4},  {"double", 8},  {"v2i", 8},   {"v2f", 8},   {"v2d", 16},     {"v3i", 12},        {"v3f", 12},     {"v3d", 24},
+        {"m33f", 36},  {"m33d", 72},  {"m44f", 64}, {"m44d", 128}, {"compression", 1}, {"lineOrder", 1}, {"envmap", 1}, {"deepImageState", 1}, {"chromaticities", 32}, {"keycode", 28},
+        {"rational", 8}, {"timecode", 8}, {"tiledesc", 9}};
+    for (const auto& [name, size] : kSizes)
+        if (name == type) return size;
+    return std::nullopt;
+}
+
+/// Whether a value of this type is as long as it says: OpenEXR reads the rest of the header from where it ended.
+bool isWhole(std::string_view type, std::string_view value) {
+    if (const auto size = fixedSize(type)) return value.size() == *size;
+    if (type == "preview") {  // two sides, then 4 bytes a pixel
+        if (value.size() < 8) return false;
+        std::uint32_t sides[2] = {};
+        std::memcpy(sides, value.data(), sizeof sides);
+        return std::uint64_t{sides[0]} * sides[1] == (value.size() - 8) / 4;
+    }
+    if (type != "chlist") return true;
+    while (!value.empty() && value[0] != '\0') {  // name, then 16 bytes
+        const auto end = value.find('\0');
+        if (end == std::string_view::npos || value.size() - end < 17) return false;
+        value.remove_prefix(end + 17);
+    }
+    return value.size() == 1;
+}
+
 /// That no attribute of the header at `at` claims more than the file has: OpenEXR makes room for it before it looks.
 ///
 /// at  moves past the header
@@ -224,7 +255,10 @@ Result<void> checkAttributes(std::string_view bytes, std::size_t& at, const std:
     };
     while (at < bytes.size() && bytes[at] != '\0') {
         const std::size_t begin = at;
-        if (!skipName() || !skipName() || bytes.size() - at < 4) return cutOff();  // its name, its type
+        if (!skipName()) return cutOff();
+        const std::size_t typeAt = at;
+        if (!skipName() || bytes.size() - at < 4) return cutOff();
+        const auto type = bytes.substr(typeAt, at - 1 - typeAt);
         std::uint32_t size = 0;
         for (unsigned i = 0; i < 4; ++i) size |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
         at += 4;
@@ -233,6 +267,8 @@ Result<void> checkAttributes(std::string_view bytes, std::size_t& at, const std:
                 ErrorCode::Parse,
                 fmt::format("the attribute at byte {} has {} bytes, {} are left", begin, size, bytes.size() - at),
                 where};
+        if (!isWhole(type, bytes.substr(at, size)))
+            return Error{ErrorCode::Parse, fmt::format("the attribute at byte {} has {} bytes, not those of a {}", begin, size, type.substr(0, 32)), where};
         at += size;
     }
     return at++ < bytes.size() ? Result<void>() : cutOff();
