@@ -186,13 +186,11 @@ TEST_F(Gltf, ComponentTypesStridesAndSparse) {
     EXPECT_EQ(s.meshes[0].uvs[0], (Vec2{1, 0}));
     EXPECT_FLOAT_EQ(s.meshes[0].uvs[1].y, 0.2F);
     EXPECT_EQ(s.meshes[0].triangles[0], (std::array<std::uint32_t, 3>{2, 0, 1}));
-
     Model quantized;  // KHR_mesh_quantization: normalised bytes, -128 is -1 as well
     quantized.doc["extensionsRequired"] = {"KHR_mesh_quantization"};
     const int bytes = quantized.view(std::vector<std::int8_t>{-128, 0, 0, 0, 127, 0, 0, 0, 0, 127, 0, 0}, 4);
     quantized.mesh({{"attributes", {{"POSITION", quantized.accessor(bytes, kByte, 3, "VEC3", {{"normalized", true}})}}}});
     EXPECT_EQ(scene(quantized).meshes[0].positions[0], (Vec3{-1, 0, 0}));
-
     Model sparse;
     const json part = {{"count", 2},
                        {"indices", {{"bufferView", sparse.view(std::vector<std::uint16_t>{1, 2})}, {"componentType", kUnsignedShort}}},
@@ -307,7 +305,6 @@ TEST_F(Gltf, PunctualLightsBecomeLuminaires) {
     EXPECT_NEAR(point.photometry.table.lumens(), 400 * kPiD, 1e-9 * 400 * kPiD);  // 4 pi I
     EXPECT_FLOAT_EQ(point.photometry.table.intensity({0, 0, 1}), 100);
     EXPECT_EQ(s.luminaires[0].position, (Vec3{1, -3, 2}));
-
     const auto& spot = s.luminaireTypes[s.luminaires[1].type];
     EXPECT_FLOAT_EQ(luminance(spot.colour), 1.0F);
     const auto towards = [&](double angle) {
