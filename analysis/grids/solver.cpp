@@ -21,8 +21,19 @@ namespace {
 
 constexpr std::uint32_t kPilot = 8;  // first samples of each replicate
 
-/// Paths a point below which lamps seen by way of mirrors and panes make intervals too narrow.
+/// Paths a point below which lamps that paths meet by chance make intervals too narrow.
 constexpr double kPathsForSpecular = 4096;
+
+/// Lamps show in something where next-event estimation does not seek them: curved mirrors, solids of glass.
+bool meetsLampsByChance(const Scene& scene, const SceneNeeds& needs, const Mirrors& mirrors) {
+    for (std::uint32_t m = 0; m < scene.meshes.size(); ++m) {
+        const auto kind = scene.materials[scene.meshes[m].material].kind;
+        if (kind != MaterialKind::Mirror && kind != MaterialKind::ThinGlass) continue;
+        for (std::uint32_t t = 0; t < scene.meshes[m].triangles.size(); ++t)
+            if (mirrors.of(m, t) == kNoMirror) return true;
+    }
+    return needs.dielectrics;
+}
 
 /// Aim a little below the target: a point that ends just above it would cost a round more.
 constexpr double kAim = 0.93;
@@ -55,7 +66,8 @@ public:
         state_.stage = "solving";
         result_.kernel = lit.raycaster().kernel();
         result_.leftOut = leftOut(lit.needs());
-        specularChains_ = lit.needs().specularChains && settings.algorithm == "path";
+        metByChance_ = (settings.algorithm == "path" || settings.algorithm == "shared") &&
+                       meetsLampsByChance(project.scene, lit.needs(), lit.transport().mirrors);
     }
 
     SolveResult run() {
@@ -201,8 +213,8 @@ private:
         addWarnings(r);
         for (auto& warning : conditionWarnings(r.condition, r.truncatedFraction)) r.warnings.push_back(std::move(warning));
         const double pathsPerPoint = static_cast<double>(r.samples) / static_cast<double>(points_.size());
-        if (specularChains_ && r.samples > 0 && pathsPerPoint < kPathsForSpecular)
-            r.warnings.push_back(fmt::format("lamps mirrored in panes or mirrors are found by chance, and {:.0f} paths a point are few: intervals may be too "
+        if (metByChance_ && r.samples > 0 && pathsPerPoint < kPathsForSpecular)
+            r.warnings.push_back(fmt::format("lamps in curved mirrors or behind solids of glass are met by chance, and {:.0f} paths a point are few: intervals may be too "
                                              "narrow (docs/decisions/0004-replicates.md)", pathsPerPoint));
     }
 
@@ -232,7 +244,7 @@ private:
     SamplingRun run_;
     ProgressState state_;
     SolveResult result_;
-    bool specularChains_ = false;
+    bool metByChance_ = false;
 };
 
 }  // namespace
