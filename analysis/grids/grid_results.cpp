@@ -3,6 +3,7 @@
 #include "analysis/grids/solver.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -41,7 +42,17 @@ JudgedInterval judged(const Interval& interval, std::optional<double> required) 
     return {interval, required, judge(interval, required)};
 }
 
-void addStatistics(GridResult& grid, std::span<const PointSums> sums) {
+/// The mean over a grid whose points' errors go together: each replicate is a realisation of the whole grid.
+Interval meanOfGrids(std::span<const PointSums> sums) {
+    std::array<double, kReplicates> means{};
+    for (const auto& s : sums) {
+        const auto point = s.totalMeans();
+        for (std::size_t r = 0; r < kReplicates; ++r) means[r] += point[r] / static_cast<double>(sums.size());
+    }
+    return meanOfReplicates(means);
+}
+
+void addStatistics(GridResult& grid, std::span<const PointSums> sums, PointErrors errors) {
     Interval unknown{0, std::numeric_limits<double>::infinity()};
     GridInterval statistics{unknown, unknown, unknown, 0};
     const bool known = std::all_of(sums.begin(), sums.end(), [](const auto& s) { return s.perReplicate > 0; });
@@ -51,6 +62,7 @@ void addStatistics(GridResult& grid, std::span<const PointSums> sums) {
         for (const auto& s : sums)
             for (const double mean : s.totalMeans()) replicates.push_back(mean);
         statistics = gridInterval(replicates, sums.size());
+        if (errors == PointErrors::GoTogether) statistics.mean = meanOfGrids(sums);
     }
     grid.mean = judged(statistics.mean, strictest(grid.requirements, &Requirement::meanLux));
     grid.minimum = judged(statistics.minimum, strictest(grid.requirements, &Requirement::minimumLux));
@@ -61,7 +73,7 @@ void addStatistics(GridResult& grid, std::span<const PointSums> sums) {
 }  // namespace
 
 std::vector<GridResult> gridResults(const Project& project, const std::vector<GridLayout>& layouts,
-                                    const std::vector<PointSums>& sums) {
+                                    const std::vector<PointSums>& sums, PointErrors errors) {
     std::vector<GridResult> results;
     std::size_t first = 0;
     for (std::size_t g = 0; g < layouts.size(); ++g) {
@@ -78,7 +90,7 @@ std::vector<GridResult> gridResults(const Project& project, const std::vector<Gr
         if (layout.rows > 0) grid.spacingV = layout.v.length() / layout.rows;
         grid.requirements = spec.requirements;
         for (std::size_t i = 0; i < own.size(); ++i) grid.points.push_back(pointResult(layout, i, own[i]));
-        addStatistics(grid, own);
+        addStatistics(grid, own, errors);
         results.push_back(std::move(grid));
     }
     return results;

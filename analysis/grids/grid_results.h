@@ -8,12 +8,15 @@
 
 namespace luxdeck {
 
+/// Whether the noise of a grid's points is independent, or common to neighbours that shared light.
+enum class PointErrors { Independent, GoTogether };
+
 /// Points, statistics and verdicts of every grid from the samples so far.
 ///
 /// layouts  #G, of project.grids
 /// sums     of all points, grid after grid
 std::vector<GridResult> gridResults(const Project& project, const std::vector<GridLayout>& layouts,
-                                    const std::vector<PointSums>& sums);
+                                    const std::vector<PointSums>& sums, PointErrors errors = PointErrors::Independent);
 
 /// Half-width over value; 0 where light is certainly nil.
 double relativeError(const Interval& interval);

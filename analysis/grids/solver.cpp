@@ -62,7 +62,7 @@ public:
           std::vector<GridLayout> layouts, const Progress& progress)
         : project_(project), settings_(settings), layouts_(std::move(layouts)), progress_(progress),
           layerMap_(settings.byLuminaire ? LayerMap::of(project.scene) : LayerMap{}),
-          run_(estimator, project.scene.weights, targetsOf(project.scene), settings.seed) {
+          errors_(estimator.groupSize() > 1 ? PointErrors::GoTogether : PointErrors::Independent), run_(estimator, project.scene.weights, targetsOf(project.scene), settings.seed) {
         state_.stage = "solving";
         result_.kernel = lit.raycaster().kernel();
         result_.leftOut = leftOut(lit.needs());
@@ -113,7 +113,7 @@ private:
 
     /// Turns the sums into results and enters the error into the trace.
     void assess() {
-        result_.grids = gridResults(project_, layouts_, run_.sums());
+        result_.grids = gridResults(project_, layouts_, run_.sums(), errors_);
         ErrorAtTime entry{run_.seconds(), largestStatisticError(result_.grids), rmsPointError(result_.grids),
                           run_.counters().paths};
         state_.errorPercent = 100 * std::max(entry.relativeError, entry.rmsPointError);
@@ -241,6 +241,7 @@ private:
     const Progress& progress_;
     LayerMap layerMap_;
     std::vector<Point> points_;  // before run_, which fills it
+    PointErrors errors_;
     SamplingRun run_;
     ProgressState state_;
     SolveResult result_;
