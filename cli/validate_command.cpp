@@ -1,9 +1,11 @@
 #include "analysis/stability/stability_table.h"
+#include "analysis/validation/cie171_table.h"
 #include "cli/command.h"
 #include "cli/json_text.h"
 #include "engine/core/version.h"
 
 #include <memory>
+#include <string>
 
 namespace luxdeck::cli {
 
@@ -11,18 +13,30 @@ namespace {
 
 /// Which tables; none: every one.
 struct Options {
+    bool cie171 = false;
     bool stability = false;
 };
 
-Exit runValidate(const Context& context) {
-    const auto results = runStability(context.common.seed, context.progress);
+Exit runValidate(const Options& asked, const Context& context) {
+    const bool all = !asked.cie171 && !asked.stability;
+    nlohmann::ordered_json json{{"schema", "luxdeck-validate/1"}, {"version", kVersion}, {"seed", context.common.seed}, {"complete", false}};
+    std::string text;
+    bool met = true;
+    if (all || asked.cie171) {
+        const auto rows = runCie171(context.common.seed, context.progress);
+        json["cie171"] = cie171Json(rows), text += cie171Text(rows), met = met && allWithin(rows);
+    }
+    if (all || asked.stability) {
+        const auto results = runStability(context.common.seed, context.progress);
+        json["stability"] = stabilityJson(results), met = met && allMet(results);
+        text += (text.empty() ? "" : "\n") + stabilityText(results);
+    }
     const bool complete = !context.progress.cancelled();
-    nlohmann::ordered_json json{{"schema", "luxdeck-validate/1"}, {"version", kVersion}, {"seed", context.common.seed}, {"complete", complete}};
-    json["stability"] = stabilityJson(results);
-    const auto told = writeOutput("-", context.common.json ? jsonText(json) : stabilityText(results));
+    json["complete"] = complete;
+    const auto told = writeOutput("-", context.common.json ? jsonText(json) : text);
     if (!told) return complain(told.error());
     if (!complete) return Exit::Interrupted;
-    return allMet(results) ? Exit::Ok : Exit::NotMet;
+    return met ? Exit::Ok : Exit::NotMet;
 }
 
 }  // namespace
@@ -30,8 +44,9 @@ Exit runValidate(const Context& context) {
 Command addValidate(CLI::App& program) {
     const auto o = std::make_shared<Options>();
     auto* app = program.add_subcommand("validate", "Hold every algorithm to cases whose answer is known: value, expected, deviation in lx or %, interval, verdict; exit 1 when one is not met");
-    app->add_flag("--stability", o->stability, "Stiff and extreme scenes: reflectances near 1, tiny lights, coordinates of 10^6 m, slivers, NaN (the default)");
-    return {app, [o](Context& context) { return runValidate(context); }};
+    app->add_flag("--cie171", o->cie171, "The analytical cases of CIE 171:2006, references worked out anew (without an option: both tables)");
+    app->add_flag("--stability", o->stability, "Stiff and extreme scenes: reflectances near 1, tiny lights, coordinates of 10^6 m, slivers, NaN");
+    return {app, [o](Context& context) { return runValidate(*o, context); }};
 }
 
 }  // namespace luxdeck::cli

@@ -56,6 +56,7 @@ const std::vector<Run>& runs() {
         {{"tonemap", "f.exr", "-o", "f.png", "--operator", "linear"}},
         {{"tonemap", "f.exr", "-o", "f.png", "--false-colour"}},
         {{"validate", "--stability"}},
+        {{"validate", "--cie171"}},
         {{"report", "project.toml", "-o", "r.pdf", "--samples", "64", "--view-time", "0.1"}},  // where the build has it
     };
     return all;
