@@ -96,7 +96,7 @@ TEST(LightTree, LightsInOnePlaceAndAtTheReceiver) {
     const std::vector<float> map(LightTree::kMapSide * LightTree::kMapSide, 1.0F);
     const std::vector<TreeLight> lights(300, TreeLight{{1, 2, 3}, {0, 0, 0}, {}, 0, 1, 1});
     const LightTree tree(lights, map);
-    for (const Vec3 p : {Vec3(1, 2, 3), Vec3(0, 0, 0)}) {
+    for (const Vec3& p : {Vec3(1, 2, 3), Vec3(0, 0, 0)}) {
         double sum = 0;
         for (std::uint32_t i = 0; i < lights.size(); ++i) sum += tree.probability({p}, i);
         EXPECT_NEAR(sum, 1, 2e-5);
