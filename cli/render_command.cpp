@@ -35,13 +35,14 @@ RenderSettings settingsOf(const Options& o, const Common& common) {
 }
 
 std::string describe(const RenderResult& r, const Options& o, const View& view, bool json) {
+    const bool known = r.samplesPerPixel > 1;  // one path says nothing of its own error
+    const auto error = known ? fmt::format("error {:.2g} % of the mean luminance (95 %)", 100 * r.relativeError) : "error not known from so few";
     if (!json)
-        return fmt::format("{}: {} x {} pixels, {} paths each, {:.1f} s, error {:.2g} % of the mean luminance (95 %){}\n", o.output,
-                           r.image.width(), r.image.height(), r.samplesPerPixel, r.seconds, 100 * r.relativeError,
-                           r.complete ? "" : ", incomplete: interrupted");
+        return fmt::format("{}: {} x {} pixels, {} paths each, {:.1f} s, {}{}\n", o.output, r.image.width(), r.image.height(), r.samplesPerPixel,
+                           r.seconds, error, r.complete ? "" : ", incomplete: interrupted");
     const nlohmann::ordered_json out{{"schema", "luxdeck-render/1"}, {"output", o.output}, {"view", view.name}, {"complete", r.complete},
                                      {"seconds", r.seconds}, {"samplesPerPixel", r.samplesPerPixel}, {"rays", r.counters.rays},
-                                     {"relativeError", r.relativeError}, {"targetReached", r.targetReached},
+                                     {"relativeError", known ? nlohmann::ordered_json(r.relativeError) : nlohmann::ordered_json()}, {"targetReached", r.targetReached},
                                      {"rejectedSamples", r.counters.rejected}, {"quantity", o.quantity}};
     return jsonText(out);
 }
