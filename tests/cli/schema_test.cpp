@@ -55,6 +55,8 @@ const std::vector<Run>& runs() {
         {{"tonemap", "f.exr", "-o", "f.png"}},
         {{"tonemap", "f.exr", "-o", "f.png", "--operator", "linear"}},
         {{"tonemap", "f.exr", "-o", "f.png", "--false-colour"}},
+        {{"solve", "project.toml", "--samples", "64", "--by-luminaire", "--layers-out", "layers.json"}},
+        {{"export", "project.toml", "-o", "exported"}},
         {{"validate", "--stability"}},
         {{"validate", "--cie171"}},
         {{"report", "project.toml", "-o", "r.pdf", "--samples", "64", "--view-time", "0.1"}},  // where the build has it
@@ -86,6 +88,13 @@ TEST(Schemas, EveryOutputOfEveryCommandFitsItsSchema) {
         seen.insert(stem);
     }
     for (const auto& [stem, unused] : known) EXPECT_TRUE(seen.contains(stem) || !commands.contains(stem)) << stem << " is never checked";
+}
+
+TEST(Schemas, TheFileOfLayersFitsItsSchema) {
+    const Scratch scratch;
+    scratch.writeRoom("mean_lux = 10");
+    ASSERT_EQ(scratch.run({"solve", "project.toml", "--samples", "64", "--by-luminaire", "--layers-out", "layers.json", "--quiet"}).exitStatus, 0);
+    EXPECT_THAT(complaintsOf(Json::parse(fileBytes(scratch.path("layers.json"))), schemas().at("layers")), IsEmpty());
 }
 
 TEST(Schemas, NoCommandIsForgotten) {
