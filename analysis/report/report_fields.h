@@ -104,12 +104,15 @@ template <class A> void visit(A& a, GridResult& x) {
 template <class A> void visit(A& a, ErrorAtTime& x) {
     a("seconds", x.seconds), a("relativeError", x.relativeError), a("rmsPointError", x.rmsPointError), a("samples", x.samples);
 }
+template <class A> void visit(A& a, Condition& x) {
+    a("meanReflectance", x.meanReflectance), a("amplification", x.amplification), a("effectiveReplicates", x.effectiveReplicates);
+}
 template <class A> void visit(A& a, SolveResult& x) {
     a("project", x.project), a("complete", x.complete), a("targetReached", x.targetReached), a("targetError", x.targetError);
     a("seconds", x.seconds), a("setupSeconds", x.setupSeconds), a("predictedSeconds", x.predictedSeconds);
     a("samples", x.samples), a("rays", x.rays), a("algorithm", x.algorithm), a("ambientLux", x.ambientLux);
     a("seed", x.seed), a("threads", x.threads), a("grids", x.grids), a("trace", x.trace), a("leftOut", x.leftOut);
-    a("warnings", x.warnings), a("truncatedFraction", x.truncatedFraction), a("rejectedSamples", x.rejectedSamples);
+    a("warnings", x.warnings), a("truncatedFraction", x.truncatedFraction), a("condition", x.condition), a("rejectedSamples", x.rejectedSamples);
     a("sceneHash", x.sceneHash), a("projectHash", x.projectHash), a("version", x.version), a("kernel", x.kernel);
 }
 template <class A> void visit(A& a, ReportContents& x) {

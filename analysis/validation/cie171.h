@@ -74,7 +74,7 @@ inline constexpr double kCie171Noise = 4 * kCie171Precision;
 /// The rows of one case by one algorithm. Never fails: what goes wrong is a verdict.
 std::vector<Cie171Row> runCie171Case(const Cie171Case& one, const std::string& algorithm, std::uint64_t seed, const Progress& progress);
 
-/// Every case by `path`, those without reflections by `direct` too, or as far as it came when cancelled.
-std::vector<Cie171Row> runCie171(std::uint64_t seed, const Progress& progress);
+/// Every case (or the one of a number, none when there is no such) by `path`, those without reflections by `direct` too, or as far as it came when cancelled.
+std::vector<Cie171Row> runCie171(std::uint64_t seed, const Progress& progress, const std::string& number = {});
 
 }  // namespace luxdeck

@@ -117,9 +117,10 @@ std::vector<Cie171Row> runCie171Case(const Cie171Case& one, const std::string& a
     return rows;
 }
 
-std::vector<Cie171Row> runCie171(std::uint64_t seed, const Progress& progress) {
+std::vector<Cie171Row> runCie171(std::uint64_t seed, const Progress& progress, const std::string& number) {
     const Stopwatch clock;
-    const auto cases = cie171Cases();
+    auto cases = cie171Cases();
+    if (!number.empty()) std::erase_if(cases, [&](const auto& one) { return one.number != number; });
     std::vector<Cie171Row> out;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         for (const char* algorithm : {"path", "direct"}) {
