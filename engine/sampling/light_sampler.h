@@ -69,6 +69,8 @@ public:
     /// The same for a receiver that was weighed before.
     [[nodiscard]] LightSample sample(const Receiver& at, const Weights& weights, float uSelect, Vec2 u) const;
 
+    /// The opening of a luminaire that gives light.
+    [[nodiscard]] const PlacedOpening& opening(std::uint32_t luminaire) const { return lights_[lightOfLuminaire_[luminaire]].opening; }
     /// Radiance that an opening gives into a unit direction leaving it [cd/m^2].
     [[nodiscard]] Rgb openingRadiance(std::uint32_t luminaire, const Vec3& leaving) const;
     /// Density with which sample() would have chosen the direction in which a ray met this opening;

@@ -53,12 +53,18 @@ MirrorFrame frameAbout(const Vec3& normal, const std::vector<Vec3>& corners) {
     return out;
 }
 
-}  // namespace
+/// A normal and its opposite are one plane's: the one of them that points up the first axis that it leans to.
+Vec3d canonical(const Vec3d& n) {
+    for (const double lean : {n.x, n.y, n.z})
+        if (std::abs(lean) > 1e-9) return lean < 0 ? -n : n;
+    return n;
+}
 
-Mirrors::Mirrors(const Scene& scene, const SceneNeeds& needs) {
-    if (!needs.specularChains) return;
+/// The planes of all mirrors and panes, most important first.
+std::vector<Found> flatMirrors(const Scene& scene) {
     const Vec3 size = scene.bounds().size();
     const double grain = kSamePlane * std::max({1.0F, size.x, size.y, size.z});
+    const auto rounded = [](double x, double step) { return std::lround(x / step); };
     std::map<Key, Found> found;
     for (std::uint32_t m = 0; m < scene.meshes.size(); ++m) {
         const auto& mesh = scene.meshes[m];
@@ -67,19 +73,14 @@ Mirrors::Mirrors(const Scene& scene, const SceneNeeds& needs) {
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
             const auto& [a, b, c] = mesh.triangles[t];
             const Vec3d pa(mesh.positions[a]), pb(mesh.positions[b]), pc(mesh.positions[c]);
-            Vec3d n = (pb - pa).cross(pc - pa);
-            const double area = 0.5 * n.length();
-            if (!(area > 0)) continue;
-            n.normalize();
-            if (!isFlat(mesh, t, Vec3(n))) continue;
-            const Vec3d& side = n;
-            if (side.x < -1e-9 || (std::abs(side.x) <= 1e-9 && (side.y < -1e-9 || (std::abs(side.y) <= 1e-9 && side.z < 0)))) n = -n;
+            const Vec3d cross = (pb - pa).cross(pc - pa);
+            if (!(cross.length() > 0) || !isFlat(mesh, t, Vec3(cross.normalized()))) continue;
+            const Vec3d n = canonical(cross.normalized());
             const double offset = n.dot(pa);
-            const auto rounded = [](double x, double step) { return std::lround(x / step); };
             auto& f = found[{mesh.material, rounded(n.x, kSamePlane * 10), rounded(n.y, kSamePlane * 10), rounded(n.z, kSamePlane * 10),
                              rounded(offset, grain)}];
             if (f.triangles.empty()) f.mirror.normal = Vec3(n), f.mirror.offset = static_cast<float>(offset);
-            f.mirror.importance += static_cast<float>(area) * reflectanceOf(material);
+            f.mirror.importance += static_cast<float>(0.5 * cross.length()) * reflectanceOf(material);
             f.triangles.emplace_back(m, t);
             for (const auto v : {a, b, c}) f.corners.push_back(mesh.positions[v]);
         }
@@ -88,6 +89,14 @@ Mirrors::Mirrors(const Scene& scene, const SceneNeeds& needs) {
     for (auto& [key, f] : found)
         if (f.mirror.importance > 0) all.push_back(std::move(f));
     std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.mirror.importance > b.mirror.importance; });
+    return all;
+}
+
+}  // namespace
+
+Mirrors::Mirrors(const Scene& scene, const SceneNeeds& needs) {
+    if (!needs.specularChains) return;
+    auto all = flatMirrors(scene);
     if (all.size() > kMostMirrors) all.resize(kMostMirrors);
     ofTriangle_.resize(scene.meshes.size());
     float sum = 0;

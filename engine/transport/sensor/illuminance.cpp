@@ -68,7 +68,6 @@ private:
         return places_.emplace_back(std::move(place));
     }
 
-
     void choose(std::uint32_t index, const SensorQuery& query, const Place& place, SamplePath& numbers) {
         const float uSelect = numbers.next1D();
         const auto light = chooseLight(scene_, place.at, place.weights, uSelect, numbers.next2D());

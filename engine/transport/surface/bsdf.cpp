@@ -114,10 +114,7 @@ typename Bsdf<S>::Sample Bsdf<S>::sample(const Vec3& wo, float uLobe, Vec2 u) co
     } else {
         out.wi = cosineHemisphere(u);
     }
-    const auto value = evaluate(wo, out.wi);
-    out.pdf = value.pdf;
-    out.absorbed = !(value.pdf > 0);
-    if (!out.absorbed) out.weight = value.cosineWeighted * (1 / value.pdf), out.diffuse = value.diffuse * (1 / value.pdf);
+    out.weighBy(evaluate(wo, out.wi));
     return out;
 }
 

@@ -23,6 +23,15 @@ struct ScatterSample {
     bool refracted = false;      // into the solid on the other side, or out of it
     bool absorbed = false;
     S diffuse{0.0F};             // the part of weight that depends on wo by a factor of its cosine alone
+
+    /// Weighs wi by the value that the surface has there.
+    void weighBy(const ScatterValue<S>& value) {
+        pdf = value.pdf;
+        absorbed = !(pdf > 0);
+        if (absorbed) return;
+        weight = value.cosineWeighted * (1 / pdf);
+        diffuse = value.diffuse * (1 / pdf);
+    }
 };
 
 }  // namespace luxdeck

@@ -91,10 +91,7 @@ ScatterSample<S> WardSurface<S>::sample(const Vec3& wo, float uPart, Vec2 u) con
     out.absorbed = !(out.wi.z > 0);
     if (out.absorbed) return out;
     if (through) out.wi.z = -out.wi.z;
-    const auto value = evaluate(wo, out.wi);
-    out.pdf = value.pdf;
-    out.absorbed = !(value.pdf > 0);
-    if (!out.absorbed) out.weight = value.cosineWeighted * (1 / value.pdf), out.diffuse = value.diffuse * (1 / value.pdf);
+    out.weighBy(evaluate(wo, out.wi));
     return out;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "engine/core/rng.h"
 #include "engine/sampling/mirrors.h"
 #include "engine/transport/radiance_estimator.h"
 

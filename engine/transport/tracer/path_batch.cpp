@@ -202,8 +202,7 @@ void PathBatch<S>::seeSky(Path& path) {
 
 template <Spectrum S>
 void PathBatch<S>::seeOpening(const Path& path, const Hit& hit) {
-    const auto& luminaire = scene_.scene.luminaires[hit.luminaire];
-    const auto opening = PlacedOpening::of(luminaire, scene_.scene.luminaireTypes[luminaire.type].photometry.opening);
+    const auto& opening = scene_.lights.opening(hit.luminaire);
     const auto met = opening.intersect(path.ray.origin, path.ray.direction, 0, kInfinity);
     if (path.mirror != kNoMirror && foundByMirror(scene_, path.from, path.mirror, hit, path.ray.direction)) return;
     // The far side of a closed body faces away: what it emits there does not come this way.
@@ -274,10 +273,26 @@ void PathBatch<S>::scatterBoundary(Path& path, const SurfacePoint& point, const 
     else if (!media.enter(*point.material)) truncate(path);
 }
 
-/// No pattern, which may change with the direction, decides what the surface is.
+/// No pattern, which may change with the direction, decides what the surface is, and no medium dims it by distance.
 template <Spectrum S>
-bool PathBatch<S>::looksAlike(const Hit& hit, const SurfacePoint& point) const {
-    return !scene_.needs.patterns || (point.material->reflectancePattern < 0 && point.material == &scene_.scene.materials[scene_.scene.meshes[hit.mesh].material]);
+bool PathBatch<S>::looksAlike(const Path& path, const Hit& hit, const SurfacePoint& point) const {
+    if (scene_.needs.dielectrics && !media_[path.query].inAir()) return false;
+    const auto& ofMesh = scene_.scene.materials[scene_.scene.meshes[hit.mesh].material];  // another than the point's in a mixture
+    return !scene_.needs.patterns || (point.material->reflectancePattern < 0 && point.material == &ofMesh);
+}
+
+/// Others share what is found beyond a matte first bounce: fewer paths need to go on.
+template <Spectrum S>
+void PathBatch<S>::thinOut(Path& path, const SurfacePoint& point) {
+    if (settings_.goesOn >= 1 || point.material->kind != MaterialKind::Matte) return;
+    path.ended = path.numbers.next1D() >= settings_.goesOn;
+    path.throughput *= 1 / settings_.goesOn;
+}
+
+/// The part of light scattered here that leaves alike in all directions, where this is the first bounce.
+template <Spectrum S>
+S PathBatch<S>::diffusePart(const Path& path, const S& diffuse, const S& all) const {
+    return atFirstBounce(path) ? partOf(diffuse, all) : path.diffuse;
 }
 
 template <Spectrum S>
@@ -288,13 +303,11 @@ void PathBatch<S>::scatterRough(Path& path, const Hit& hit, const SurfacePoint& 
     // Light from behind must not be weighed away where it is scattered through.
     const Receiver here{point.departure(point.geometricNormal), bsdf.transmits() ? Vec3(0, 0, 0) : point.shadingNormal,
                         point.material->kind != MaterialKind::Matte};
-    if (atFirstBounce(path) && looksAlike(hit, point) && (!scene_.needs.dielectrics || media_[path.query].inAir()))
+    if (atFirstBounce(path) && looksAlike(path, hit, point)) {
         settings_.bounces[path.query] = {true, here.position, point.geometricNormal, point.shadingNormal, hit, bsdf.coated(),
                                          path.vertices > 0, toRgb(path.passed), {}};
-    if (atFirstBounce(path) && settings_.goesOn < 1 && settings_.bounces[path.query].met && point.material->kind == MaterialKind::Matte) {
-        path.ended = path.numbers.next1D() >= settings_.goesOn;
+        thinOut(path, point);
         if (path.ended) return;
-        path.throughput *= 1 / settings_.goesOn;
     }
     if (!last && !settings_.ambientRadiance.isBlack())
         add(path.query, 2, kFromAmbient, path.throughput * bsdf.albedo(wo.z) * fromRgb<S>(settings_.ambientRadiance), S(0.0F));
@@ -320,7 +333,7 @@ void PathBatch<S>::connectByMirror(Path& path, const Receiver& here, const Surfa
     const auto value = bsdf.evaluate(wo, frame.toLocal(found->direction));
     const S contribution = path.throughput * value.cosineWeighted * fromRgb<S>(found->light.weight) * (1 / (kMirrorShare * choice.probability));
     if (!contribution.isBlack()) mirrored_.push_back({*found, contribution, here.position, path.query, path.reflections + 2,
-                                                       atFirstBounce(path) ? partOf(value.diffuse, value.cosineWeighted) : path.diffuse});
+                                                       diffusePart(path, value.diffuse, value.cosineWeighted)});
 }
 
 template <Spectrum S>
@@ -346,7 +359,7 @@ void PathBatch<S>::connectLight(Path& path, const Receiver& here, const SurfaceP
     if (light.shared) contribution *= light.pdfSolidAngle / (light.pdfSolidAngle + value.pdf);
     if (contribution.isBlack()) return;
     shadows_.push_back({contribution, path.query, path.reflections + 1, light.source,
-                        atFirstBounce(path) ? partOf(value.diffuse, value.cosineWeighted) : path.diffuse});
+                        diffusePart(path, value.diffuse, value.cosineWeighted)});
     const Vec3 origin = height > 0 ? here.position : point.departure(light.direction);
     shadowRays_.push_back({origin, 0, light.direction, light.distance * (1 - kShadowShortening)});
 }
@@ -359,7 +372,7 @@ void PathBatch<S>::scatter(Path& path, const Receiver& here, const SurfacePoint&
     const auto next = bsdf.sample(wo, uLobe, path.numbers.next2D());
     const Vec3 direction = frame.toWorld(next.wi);
     path.throughput *= next.weight;
-    if (atFirstBounce(path)) path.diffuse = partOf(next.diffuse, next.weight);
+    path.diffuse = diffusePart(path, next.diffuse, next.weight);
     path.ended = next.absorbed || path.throughput.isBlack();
     if (next.passedThrough) return goStraightOn(path, point);  // as through a pane
     const float height = dot(direction, point.geometricNormal);

@@ -114,7 +114,9 @@ private:
     /// Adds to the part that light with this many reflections belongs to.
     void add(std::uint32_t query, int reflections, LightSource source, const S& radiance, const S& diffuse);
     void add(const Path& path, LightSource source, const S& radiance) { add(path.query, path.reflections, source, radiance, path.diffuse); }
-    [[nodiscard]] bool looksAlike(const Hit& hit, const SurfacePoint& point) const;
+    [[nodiscard]] bool looksAlike(const Path& path, const Hit& hit, const SurfacePoint& point) const;
+    void thinOut(Path& path, const SurfacePoint& point);
+    [[nodiscard]] S diffusePart(const Path& path, const S& diffuse, const S& all) const;
     [[nodiscard]] bool atFirstBounce(const Path& path) const { return path.straight && !settings_.bounces.empty(); }
     TransportCounters finish();
 
