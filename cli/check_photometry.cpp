@@ -2,6 +2,7 @@
 
 #include "analysis/photometry/photometry_summary.h"
 #include "cli/streams.h"
+#include "engine/core/file.h"
 #include "engine/io/photometry.h"
 #ifdef LUXDECK_REPORT
 #include "analysis/report/photometric_sheet.h"
@@ -9,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <filesystem>
 
 namespace luxdeck::cli {
@@ -51,8 +51,7 @@ std::string listText(const std::vector<CheckedFile>& checked, bool several) {
 }  // namespace
 
 bool isPhotometric(const std::string& path) {
-    auto extension = std::filesystem::path(path).extension().string();
-    for (auto& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const auto extension = lowerExtension(path);
     return extension == ".ies" || extension == ".ldt";
 }
 

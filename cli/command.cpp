@@ -1,6 +1,7 @@
 #include "cli/command.h"
 
 #include "cli/streams.h"
+#include "engine/algorithms/registry.h"
 #include "engine/core/file.h"
 
 #include <fmt/format.h>

@@ -9,6 +9,7 @@
 #include "cli/load.h"
 #include "cli/solve_run.h"
 #include "cli/tone.h"
+#include "engine/algorithms/registry.h"
 #include "engine/core/file.h"
 #include "engine/io/image_files.h"
 #include "tonemap/falsecolor.h"
@@ -42,14 +43,14 @@ std::string createdNow() {
 }
 
 std::string methodText(const std::string& algorithm) {
-    std::string summary;
-    for (const auto& a : algorithms())
-        if (a.name == algorithm) summary = a.summary;
+    const auto* known = algorithmNamed(algorithm);
+    const std::string summary = known != nullptr ? known->summary : "";
     return fmt::format("Light was computed by \"{}\": {}. Every value is the mean of {} independently scrambled quasi-random sample sets; its 95 % interval "
-                       "follows from their spread (Student's t). The interval of a grid's mean accounts for its points' independent errors; minimum and "
-                       "uniformity have intervals of their own, since the smallest of uncertain values is biased. A requirement is met or not met when the "
-                       "whole interval is on one side of the limit, and undecided otherwise. Intervals hold for this model of the room: they say nothing "
-                       "of errors in reflectances, photometry or maintenance factors.", algorithm, summary, kReplicates);
+                       "follows from their spread (Student's t). The interval of a grid's mean accounts for its points' errors, together where "
+                       "neighbours share light; minimum and uniformity have intervals of their own, since the smallest of uncertain values is "
+                       "biased. A requirement is met or not met when the whole interval is on one side of the limit, and undecided otherwise. "
+                       "Intervals hold for this model of the room: they say nothing of errors in reflectances, photometry or maintenance "
+                       "factors.", algorithm, summary, kReplicates);
 }
 
 /// The view at the size that its time can render without much noise, at most its own. About 60,000 pixels a

@@ -4,6 +4,7 @@
 #include "cli/line_reader.h"
 #include "cli/load.h"
 #include "cli/streams.h"
+#include "engine/algorithms/registry.h"
 
 #include <fmt/format.h>
 

@@ -16,8 +16,6 @@
 #include <memory>
 #include <string>
 #include <vector>
-#include <string>
-#include <vector>
 
 namespace luxdeck::cli {
 

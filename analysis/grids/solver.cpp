@@ -5,6 +5,7 @@
 #include "analysis/grids/grid_results.h"
 #include "analysis/grids/layers.h"
 #include "analysis/grids/sampling_run.h"
+#include "engine/algorithms/registry.h"
 #include "engine/core/parallel.h"
 #include "engine/core/version.h"
 
@@ -62,11 +63,12 @@ public:
           std::vector<GridLayout> layouts, const Progress& progress)
         : project_(project), settings_(settings), layouts_(std::move(layouts)), progress_(progress),
           layerMap_(settings.byLuminaire ? LayerMap::of(project.scene) : LayerMap{}),
-          errors_(estimator.groupSize() > 1 ? PointErrors::GoTogether : PointErrors::Independent), run_(estimator, project.scene.weights, targetsOf(project.scene), settings.seed) {
+          errors_(estimator.groupSize() > 1 ? PointErrors::GoTogether : PointErrors::Independent),
+          run_(estimator, project.scene.weights, targetsOf(project.scene), settings.seed) {
         state_.stage = "solving";
         result_.kernel = lit.raycaster().kernel();
         result_.leftOut = leftOut(lit.needs());
-        metByChance_ = (settings.algorithm == "path" || settings.algorithm == "shared") &&
+        metByChance_ = algorithmNamed(settings.algorithm)->interreflection &&
                        meetsLampsByChance(project.scene, lit.needs(), lit.transport().mirrors);
     }
 

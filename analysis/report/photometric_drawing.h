@@ -5,14 +5,9 @@
 
 namespace luxdeck::report {
 
-enum class PolarDetail {
-    Full,    // rings and angles labelled, a legend below
-    Small    // for a table: rings without numbers, no legend
-};
-
 /// The polar curve as catalogues print it: C0-C180 solid, C90-C270 dashed, nadir at the bottom. Only the
 /// hemisphere that has light is drawn when the other has none. Everything stays inside `area`.
-void drawPolar(Canvas& canvas, const QRectF& area, const PolarCurve& curve, PolarDetail detail);
+void drawPolar(Canvas& canvas, const QRectF& area, const PolarCurve& curve);
 
 /// Intensity over gamma in the C planes that differ from each other, with lines at 50 % and 10 % of the maximum and a
 /// legend below. Only gammas that have light are shown. Everything stays inside `area`.

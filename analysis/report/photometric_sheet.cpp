@@ -3,6 +3,7 @@
 #include "analysis/report/number_format.h"
 #include "analysis/report/offscreen.h"
 #include "analysis/report/photometric_drawing.h"
+#include "engine/core/file.h"
 #include "engine/core/version.h"
 
 #include <QBuffer>
@@ -12,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 #include <vector>
 
@@ -122,7 +122,7 @@ void drawSheet(Canvas& canvas, const CheckedFile& checked) {
     canvas.text(kLeft, kPlotTop, "Polar curve, cd", type::kHeading);
     canvas.text(second, kPlotTop, "Intensity over γ by C plane, cd", type::kHeading);
     const auto& table = checked.photometry.table;
-    drawPolar(canvas, {kLeft, kPlotTop + 3, kPlotWidth, kPlotBottom - kPlotTop - 3}, polarCurve(table), PolarDetail::Full);
+    drawPolar(canvas, {kLeft, kPlotTop + 3, kPlotWidth, kPlotBottom - kPlotTop - 3}, polarCurve(table));
     drawPlaneCurves(canvas, {second, kPlotTop + 3, kPlotWidth, kPlotBottom - kPlotTop - 3}, table);
     drawFacts(canvas, checked);
     drawFoot(canvas, checked);
@@ -206,8 +206,7 @@ Result<std::string> photometricSheet(const CheckedFile& checked, SheetFormat for
 }
 
 Result<SheetFormat> sheetFormatOf(const std::filesystem::path& path) {
-    auto extension = path.extension().string();
-    for (auto& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const auto extension = lowerExtension(path);
     if (extension == ".png") return SheetFormat::Png;
     if (extension == ".pdf") return SheetFormat::Pdf;
     if (extension == ".svg") return SheetFormat::Svg;

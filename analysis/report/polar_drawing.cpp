@@ -60,13 +60,13 @@ bool planesAgree(const PolarCurve& c) {
     return true;
 }
 
-PolarFrame frameOf(const QRectF& area, const PolarCurve& curve, const AxisSteps& rings, bool full) {
+PolarFrame frameOf(const QRectF& area, const PolarCurve& curve, const AxisSteps& rings) {
     PolarFrame frame;
-    const double most = largest(curve), margin = full ? kAngleMarginMm : 0.5;
+    const double most = largest(curve), margin = kAngleMarginMm;
     frame.upper = largestIn(curve, true) > kDark * most;
     frame.lower = largestIn(curve, false) > kDark * most || !frame.upper;
     frame.top = rings.top();
-    const double width = area.width() - 2 * margin, height = area.height() - 2 * margin - (full ? kLegendMm : 0);
+    const double width = area.width() - 2 * margin, height = area.height() - 2 * margin - kLegendMm;
     const bool both = frame.upper && frame.lower;
     frame.radiusMm = std::min(width / 2, both ? height / 2 : height);
     const double used = both ? 2 * frame.radiusMm : frame.radiusMm;
@@ -82,11 +82,10 @@ void drawArc(Canvas& canvas, const PolarFrame& frame, double share, QColor colou
     canvas.polyline(points, colour, widthMm);
 }
 
-void drawGround(Canvas& canvas, const PolarFrame& frame, const AxisSteps& rings, bool full) {
+void drawGround(Canvas& canvas, const PolarFrame& frame, const AxisSteps& rings) {
     for (int i = 1; i <= rings.count; ++i)
-        drawArc(canvas, frame, static_cast<double>(i) / rings.count, ink::kLight, i == rings.count && full ? 0.3 : 0.15);
-    const int step = full ? 15 : 30;
-    for (int a = -180; a < 180; a += step) {
+        drawArc(canvas, frame, static_cast<double>(i) / rings.count, ink::kLight, i == rings.count ? 0.3 : 0.15);
+    for (int a = -180; a < 180; a += 15) {
         if (!frame.shows(a)) continue;
         const QPointF end = frame.at(a, 1);
         canvas.stroke(frame.centre.x(), frame.centre.y(), end.x(), end.y(), ink::kLight, a % 90 == 0 ? 0.3 : 0.15);
@@ -104,13 +103,13 @@ QPolygonF outline(const PolarFrame& frame, const std::vector<double>& candela) {
     return points;
 }
 
-void drawCurves(Canvas& canvas, const PolarFrame& frame, const PolarCurve& curve, bool one, bool full) {
+void drawCurves(Canvas& canvas, const PolarFrame& frame, const PolarCurve& curve, bool one) {
     const auto c0 = outline(frame, curve.c0);
     QColor tint = ink::kAccent;
     tint.setAlpha(26);
     canvas.fill(c0, tint);
-    if (!one) canvas.polyline(outline(frame, curve.c90), ink::kBlack, full ? 0.5 : 0.25, full ? Qt::DashLine : Qt::SolidLine);
-    canvas.polyline(c0, ink::kAccent, full ? 0.6 : 0.35);
+    if (!one) canvas.polyline(outline(frame, curve.c90), ink::kBlack, 0.5, Qt::DashLine);
+    canvas.polyline(c0, ink::kAccent, 0.6);
 }
 
 struct RingNumber {
@@ -199,15 +198,14 @@ AxisSteps axisSteps(double maximum) {
     return {step, std::max(1, static_cast<int>(std::ceil(maximum / step * (1 - 1e-9))))};
 }
 
-void drawPolar(Canvas& canvas, const QRectF& area, const PolarCurve& curve, PolarDetail detail) {
-    const bool full = detail == PolarDetail::Full, one = planesAgree(curve);
+void drawPolar(Canvas& canvas, const QRectF& area, const PolarCurve& curve) {
+    const bool one = planesAgree(curve);
     const double most = largest(curve);
     const auto rings = axisSteps(most);
-    const auto frame = frameOf(area, curve, rings, full);
-    drawGround(canvas, frame, rings, full);
-    if (full) drawAngles(canvas, frame);
-    if (most > 0) drawCurves(canvas, frame, curve, one, full);
-    if (!full) return;
+    const auto frame = frameOf(area, curve, rings);
+    drawGround(canvas, frame, rings);
+    drawAngles(canvas, frame);
+    if (most > 0) drawCurves(canvas, frame, curve, one);
     if (most > 0) drawRingNumbers(canvas, frame, curve, rings);
     drawLegend(canvas, area, one);
 }

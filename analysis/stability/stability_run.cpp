@@ -1,5 +1,6 @@
 #include "analysis/grids/sampling_run.h"
 #include "analysis/stability/stability.h"
+#include "engine/algorithms/registry.h"
 #include "engine/transport/lit_scene.h"
 
 #include <algorithm>
@@ -26,12 +27,13 @@ bool preciseEnough(const Interval& lux, const Criterion& criterion, double preci
     return lux.ci95 <= precision * criterion.lux.value_or(lux.value) || lux.ci95 <= criterion.slackLux;
 }
 
-StabilityVerdict judge(const StabilityResult& r, double precision) {
+/// bias  of the algorithm, relative
+StabilityVerdict judge(const StabilityResult& r, double precision, double bias) {
     const auto& c = r.expected;
     if (!std::isfinite(r.lux.value) || !std::isfinite(r.lux.ci95) || r.lux.value < 0 || r.counters.rejected > 0)
         return StabilityVerdict::Missed;
     if (!c.lux) return StabilityVerdict::Met;
-    if (std::abs(r.lux.value - *c.lux) > kStabilitySigmas / 1.96 * r.lux.ci95 + c.slackLux) return StabilityVerdict::Missed;
+    if (std::abs(r.lux.value - *c.lux) > kStabilitySigmas / 1.96 * r.lux.ci95 + c.slackLux + bias * *c.lux) return StabilityVerdict::Missed;
     return preciseEnough(r.lux, c, precision) ? StabilityVerdict::Met : StabilityVerdict::TooNoisy;
 }
 
@@ -62,7 +64,9 @@ std::optional<Error> tryCase(const StabilityCase& one, const Algorithm& algorith
     if (!scene) return scene.error();
     const auto lit = LitScene::create(*scene);
     if (!lit) return lit.error();
-    const auto estimator = makeEstimator(algorithm.name, lit->transport());
+    AlgorithmSettings settings;
+    settings.seed = seed;
+    const auto estimator = makeEstimator(algorithm.name, lit->transport(), settings);
     if (!estimator) return estimator.error();
     measureCase(one, **estimator, *scene, seed, progress, out);
     return std::nullopt;
@@ -75,6 +79,7 @@ const char* verdictText(StabilityVerdict verdict) {
         case StabilityVerdict::Met: return "met";
         case StabilityVerdict::Missed: return "missed";
         case StabilityVerdict::TooNoisy: return "too noisy";
+        case StabilityVerdict::KnownLimit: return "known limit";
     }
     return "";
 }
@@ -87,8 +92,9 @@ StabilityResult runStabilityCase(const StabilityCase& one, const Algorithm& algo
     const auto refused = tryCase(one, algorithm, seed, progress, out);
     if (refused) out.refused = refused->text();
     const bool wanted = !out.expected.refusal.empty();
-    if (!refused && !wanted) out.verdict = judge(out, one.precision);
+    if (!refused && !wanted) out.verdict = judge(out, one.precision, algorithm.bias);
     else if (refused && wanted && out.refused.find(out.expected.refusal) != std::string::npos) out.verdict = StabilityVerdict::Met;
+    if (out.verdict != StabilityVerdict::Met && algorithm.limits.contains(one.name)) out.verdict = StabilityVerdict::KnownLimit;
     out.seconds = clock.seconds();
     return out;
 }

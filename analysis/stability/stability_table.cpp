@@ -71,7 +71,7 @@ Json stabilityJson(const std::vector<StabilityResult>& results) {
 }
 
 bool allMet(const std::vector<StabilityResult>& results) {
-    return std::all_of(results.begin(), results.end(), [](const auto& r) { return r.verdict == StabilityVerdict::Met; });
+    return std::all_of(results.begin(), results.end(), [](const auto& r) { return r.verdict == StabilityVerdict::Met || r.verdict == StabilityVerdict::KnownLimit; });
 }
 
 }  // namespace luxdeck

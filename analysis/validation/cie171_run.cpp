@@ -1,5 +1,6 @@
 #include "analysis/grids/sampling_run.h"
 #include "analysis/validation/cie171.h"
+#include "engine/algorithms/registry.h"
 #include "engine/transport/lit_scene.h"
 
 #include <algorithm>

@@ -28,4 +28,7 @@ Result<void> writeFileAtomically(const std::filesystem::path& path,
 /// 64-bit content hash as 16 hex digits (XXH3).
 std::string contentHash(std::string_view bytes);
 
+/// ".OBJ" of "Room.OBJ" as ".obj"; empty where a name has none.
+std::string lowerExtension(const std::filesystem::path& path);
+
 }  // namespace luxdeck

@@ -1,15 +1,13 @@
 #include "engine/io/image_files.h"
 
-#include <fmt/format.h>
+#include "engine/core/file.h"
 
-#include <algorithm>
-#include <cctype>
+#include <fmt/format.h>
 
 namespace luxdeck {
 
 Result<Image> readHdrImage(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    const auto extension = lowerExtension(path);
     if (extension == ".exr") return readExr(path);
     for (const char* radiance : {".hdr", ".pic", ".rgbe", ".xyze"})
         if (extension == radiance) return readRgbe(path);

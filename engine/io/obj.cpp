@@ -266,12 +266,6 @@ private:
     std::vector<std::array<std::uint32_t, 3>> triangles_;
 };
 
-bool allFinite(const Scene& scene) {
-    return std::all_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& mesh) {
-        return std::all_of(mesh.positions.begin(), mesh.positions.end(), [](const Vec3& p) { return isFinite(p); });
-    });
-}
-
 }  // namespace
 
 Result<ScenePart> readObj(const std::filesystem::path& path, const GeometryPlacement& placement) {

@@ -24,7 +24,6 @@ public:
     static Result<std::shared_ptr<const DataTable>> parse(std::string_view text, const std::string& name);
 
     [[nodiscard]] std::span<const DataAxis> axes() const { return axes_; }
-    [[nodiscard]] std::span<const double> values() const { return values_; }
     [[nodiscard]] const std::string& hash() const { return hash_; }  ///< of the text
 
     /// Linear in each dimension. NaN for coordinates that are not finite.

@@ -25,8 +25,6 @@ public:
     /// Linear between pixels; NaN for coordinates that are not finite.
     [[nodiscard]] Rgb value(double u, double v) const;
 
-    [[nodiscard]] const DataAxis& across() const { return across_; }
-    [[nodiscard]] const DataAxis& up() const { return up_; }
     [[nodiscard]] const std::string& hash() const { return hash_; }  ///< of the file
 
 private:

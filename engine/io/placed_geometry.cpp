@@ -1,5 +1,6 @@
 #include "engine/io/placed_geometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -58,6 +59,12 @@ void storeRebased(ScenePart& part, std::vector<PlacedMesh> meshes, const std::ve
         for (const auto& position : placed.positions) mesh.positions.push_back(scene.toRebased(position));
         std::vector<Vec3d>().swap(placed.positions);  // a mesh in double at a time, not all of them twice
     }
+}
+
+bool allFinite(const Scene& scene) {
+    return std::all_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& mesh) {
+        return std::all_of(mesh.positions.begin(), mesh.positions.end(), [](const Vec3& p) { return isFinite(p); });
+    });
 }
 
 }  // namespace luxdeck

@@ -29,4 +29,7 @@ bool mirrors(const Matrix4d& matrix);
 /// luminairePositions  one for each of part.scene.luminaires [m]
 void storeRebased(ScenePart& part, std::vector<PlacedMesh> meshes, const std::vector<Vec3d>& luminairePositions);
 
+/// Whether every vertex is in the range of floats.
+bool allFinite(const Scene& scene);
+
 }  // namespace luxdeck

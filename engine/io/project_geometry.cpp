@@ -1,4 +1,5 @@
 #include "engine/io/project_keys.h"
+#include "engine/core/file.h"
 #include "engine/io/project_sections.h"
 
 #include "engine/core/units.h"
@@ -6,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -23,13 +23,6 @@ constexpr TomlChoice<double> kUnits[] = {
 constexpr TomlChoice<UpAxis> kUpAxes[] = {{"z", UpAxis::Z}, {"y", UpAxis::Y}};
 constexpr NumberRange kScale{.low = 1e-6, .high = 1e6};
 constexpr NumberRange kTurn{.low = -3600, .high = 3600};
-
-std::string lowerExtension(const std::filesystem::path& path) {
-    auto extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
 
 /// Scaled, turned about z, then moved; row vectors.
 Matrix4d placementMatrix(double scale, double rotationDeg, const Vec3d& translation) {

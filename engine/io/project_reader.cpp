@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <exception>
 #include <iterator>
 #include <new>
@@ -139,13 +138,6 @@ Box3d namedBounds(const ProjectSpec& spec) {
         for (const auto& point : grid.points) box.extendBy(point[0]);
     }
     return box;
-}
-
-std::string lowerExtension(const fs::path& path) {
-    auto extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
 }
 
 Result<void> checkScene(Scene& scene, const std::string& where) {

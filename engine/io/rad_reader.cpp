@@ -65,9 +65,7 @@ public:
     }
 
     void store() {
-        std::vector<PlacedMesh> meshes;
-        for (auto& mesh : meshes_) meshes.push_back(std::move(mesh));
-        storeRebased(part_, std::move(meshes), {});
+        storeRebased(part_, std::move(meshes_), {});
         if (unseen_ > 0) warnings_.add(fmt::format("{} surfaces without a material are left out: in Radiance rays pass through them as well", unseen_));
         for (const auto& text : warnings_.texts()) part_.scene.warnings.push_back(text);
     }
@@ -107,8 +105,9 @@ private:
         if (!mesh) return mesh.error();
         triangles_ += mesh->triangles.size();
         if (triangles_ > limits_.triangles) return p.place.error(ErrorCode::OutOfResources, fmt::format("the scene has more than {} triangles, expected fewer", limits_.triangles));
-        if (p.type == "polygon") finishPolygon(p, modifiers_.chain(modifier).textures, m.emits(), *mesh);
-        else if (!modifiers_.chain(modifier).textures.empty()) leaveTexture(*modifiers_.chain(modifier).textures.front());
+        const auto textures = modifiers_.chain(modifier).textures;
+        if (p.type == "polygon") finishPolygon(p, textures, m.emits(), *mesh);
+        else if (!textures.empty()) leaveTexture(*textures.front());
         append(p, **material, *mesh);
         return {};
     }
@@ -175,16 +174,10 @@ private:
     std::size_t triangles_ = 0, unseen_ = 0;
 };
 
-bool allFinite(const Scene& scene) {
-    return std::all_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& mesh) {
-        return std::all_of(mesh.positions.begin(), mesh.positions.end(), [](const Vec3& p) { return isFinite(p); });
-    });
-}
-
 std::vector<fs::path> foldersOf(const std::vector<fs::path>& files) {
     std::vector<fs::path> folders;
     for (const auto& file : files) {
-        auto folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+        auto folder = folderOf(file);
         if (std::find(folders.begin(), folders.end(), folder) == folders.end()) folders.push_back(std::move(folder));
     }
     return folders;
@@ -194,9 +187,9 @@ Result<ScenePart> read(const std::vector<fs::path>& files, const GeometryPlaceme
     CalLibrary library(CalLibrary::withRayPath(foldersOf(files)));
     WarningList warnings;
     Stream stream(library, limits, warnings);
-    std::vector<Primitives> primitives;  // all of them stay: definitions are used by later files
+    std::vector<Stream::Shared> primitives;  // all of them stay: definitions are used by later files
     for (const auto& file : files) {
-        auto read = stream.read(file);
+        auto read = stream.readFile(file);
         if (!read) return read.error();
         primitives.push_back(*std::move(read));
     }
@@ -205,7 +198,7 @@ Result<ScenePart> read(const std::vector<fs::path>& files, const GeometryPlaceme
     part.scene.weights = kRadianceWeights;
     Builder builder(library, placement, limits, part, warnings);
     for (const auto& some : primitives)
-        if (auto added = builder.add(some); !added) return added.error();
+        if (auto added = builder.add(*some); !added) return added.error();
     builder.store();
     if (!allFinite(part.scene)) return Error{ErrorCode::Parse, "has coordinates beyond the range of floats once in metres", files.front().string()};
     return part;

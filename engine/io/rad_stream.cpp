@@ -24,21 +24,15 @@ namespace {
 
 constexpr std::uint64_t kMostBytes = 1ULL << 30;
 
-fs::path folderOf(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
-
 }  // namespace
 
-Result<void> Stream::append(Primitives& target, const Primitives& source, const Place& place) const {
+fs::path folderOf(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+
+Result<void> Stream::append(Primitives& target, Primitives source, const Place& place) const {
     if (target.size() + source.size() > limits_.primitives)
         return place.error(ErrorCode::OutOfResources, fmt::format("makes more than {} primitives, expected fewer", limits_.primitives));
-    target.insert(target.end(), source.begin(), source.end());
+    target.insert(target.end(), std::make_move_iterator(source.begin()), std::make_move_iterator(source.end()));
     return {};
-}
-
-Result<Primitives> Stream::read(const fs::path& file) {
-    auto primitives = readFile(file);
-    if (!primitives) return primitives.error();
-    return Primitives(**primitives);
 }
 
 Result<Stream::Shared> Stream::readFile(const fs::path& path) {
@@ -74,9 +68,9 @@ Result<Primitives> Stream::readText(const std::string& text, const fs::path& pat
             continue;
         }
         const auto& command = std::get<Command>(**item);
-        const auto made = run(command, folderOf(path));
+        auto made = run(command, folderOf(path));
         if (!made) return made.error();
-        if (auto added = append(all, *made, command.place); !added) return added.error();
+        if (auto added = append(all, *std::move(made), command.place); !added) return added.error();
     }
 }
 
@@ -176,7 +170,7 @@ Result<Primitives> Stream::runXformList(const std::vector<std::string>& words, s
         auto made = runXform(std::move(full), place, folder, piped);
         --listDepth_;
         if (!made) return made.error();
-        if (auto added = append(all, *made, place); !added) return added.error();
+        if (auto added = append(all, *std::move(made), place); !added) return added.error();
     }
     return all;
 }

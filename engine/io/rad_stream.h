@@ -23,6 +23,9 @@ struct Limits {
     std::size_t depth = 32;  ///< of files and commands within each other
 };
 
+/// Where a file lies: "." for a bare name.
+std::filesystem::path folderOf(const std::filesystem::path& file);
+
 /// Reads files as one stream of primitives, running their commands: xform, cat, the generators and the skies, and
 /// pipes between them. No command is ever given to a shell.
 class Stream {
@@ -30,15 +33,14 @@ public:
     Stream(CalLibrary& library, const Limits& limits, WarningList& warnings)
         : library_(library), limits_(limits), warnings_(warnings) {}
 
-    /// The primitives of a file that the user named.
-    ///
-    /// errors  FileNotFound, Parse, Unsupported, OutOfResources: file:line, seen, expected
-    Result<Primitives> read(const std::filesystem::path& file);
-
-private:
     using Shared = std::shared_ptr<const Primitives>;
 
+    /// The primitives of a file, each file read once.
+    ///
+    /// errors  FileNotFound, Parse, Unsupported, OutOfResources: file:line, seen, expected
     Result<Shared> readFile(const std::filesystem::path& path);
+
+private:
     Result<Primitives> readText(const std::string& text, const std::filesystem::path& path);
     Result<Primitives> run(const Command& command, const std::filesystem::path& folder);
     Result<Primitives> runProgram(const CommandWords& words, const Place& place, const std::filesystem::path& folder,
@@ -50,7 +52,7 @@ private:
     /// The files that an xform or cat names, one after the other; what the pipe brings when it names none.
     Result<Primitives> inputs(const std::vector<std::string>& names, const Place& place, const std::filesystem::path& folder,
                               const Primitives* piped);
-    [[nodiscard]] Result<void> append(Primitives& target, const Primitives& source, const Place& place) const;
+    [[nodiscard]] Result<void> append(Primitives& target, Primitives source, const Place& place) const;
 
     CalLibrary& library_;
     Limits limits_;

@@ -1,12 +1,12 @@
 #include "engine/io/scene_files.h"
 
+#include "engine/core/file.h"
 #include "engine/core/primaries.h"
 #include "engine/io/rad_reader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -24,17 +24,6 @@ Vec3d chooseOrigin(const Box3d& bounds) {
     const Vec3d centre = bounds.center();
     return {std::round(centre.x), std::round(centre.y), std::round(centre.z)};
 }
-
-namespace {
-
-std::string lowerExtension(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
-
-}  // namespace
 
 bool isRadianceFile(const std::filesystem::path& path) {
     const auto extension = lowerExtension(path);

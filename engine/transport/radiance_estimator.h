@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/core/progress.h"
 #include "engine/core/result.h"
 #include "engine/core/rgb.h"
 #include "engine/core/vec.h"
@@ -107,6 +108,9 @@ public:
     virtual TransportCounters irradiance(std::span<const SensorQuery> queries,
                                          std::span<SensorSample> samples) const = 0;
 
+    /// Memory of what was prepared before the first query [bytes].
+    [[nodiscard]] virtual std::size_t bytes() const { return 0; }
+
     /// How many neighbouring sensors are best asked together as a group.
     [[nodiscard]] virtual std::size_t groupSize() const { return 1; }
 
@@ -134,21 +138,11 @@ struct TransportScene {
 struct AlgorithmSettings {
     double ambientLux = 0;    // ambient: the constant term [lx], 0 .. 1e6
     int maxVertices = 20000;  // path: the cap that ends paths Russian roulette leaves alive, 2 .. 10^6
+
+    // Of algorithms that prepare something before the first query (a cache, a mesh, photons):
+    double effort = 1;        // of the preparation: its time is about proportional, its error falls, 1e-3 .. 1e3
+    std::uint64_t seed = 1;   // of what is random in it
+    const Progress* progress = nullptr;  // hears how it goes and may cancel it; none: silent
 };
-
-/// A registered algorithm. Registering it enrols it in every analytic, statistical and bench case, in
-/// `--algorithm` and in the documentation.
-struct Algorithm {
-    std::string name;
-    std::string summary;        // one line, for --help and the report
-    bool interreflection;       // claims the exact indirect light of diffuse rooms
-    Result<std::unique_ptr<RadianceEstimator>> (*create)(const TransportScene&, const AlgorithmSettings&);
-};
-
-const std::vector<Algorithm>& algorithms();
-
-/// errors  InvalidArgument: no such algorithm (the message lists them), a setting out of range, light never lost (enclosure.h)
-Result<std::unique_ptr<RadianceEstimator>> makeEstimator(const std::string& algorithm, const TransportScene& scene,
-                                                         const AlgorithmSettings& settings = {});
 
 }  // namespace luxdeck

@@ -71,3 +71,15 @@ def ldt_text(name, number, file, symmetry, lumens, watts, size_mm, planes, gamma
     lines += [f"{c:g}" for c in planes] + [f"{g:g}" for g in gammas]
     lines += [f"{i * 1000 / lumens:.3f}" for row in table for i in row]
     return "\r\n".join(str(line) for line in lines) + "\r\n"
+
+
+def thrown(v, h):
+    """cos v, and the angles towards h = 90 [deg] and along h = 0 - 180."""
+    sv, cv = math.sin(math.radians(v)), math.cos(math.radians(v))
+    x, y = sv * math.cos(math.radians(h)), sv * math.sin(math.radians(h))
+    return cv, math.degrees(math.atan2(y, cv)), math.degrees(math.asin(max(-1.0, min(1.0, x))))
+
+
+def percent_down(gammas, stored, table, copies, lumens):
+    down = [[i if g < 90 else 0.0 for g, i in zip(gammas, row)] for row in table]
+    return 100 * exact_lumens(gammas, stored, down) * copies / lumens

@@ -20,3 +20,12 @@ def luminaire_positions(project):
         for j in range(ny):
             for i in range(nx):
                 yield table["type"], x + i * dx, y + j * dy, z, table.get("rotation_deg", 0.0)
+
+
+def hang_luminaires(glb, project, body_of, ceiling):
+    numbered, bodies = Counter(glb), {}
+    for kind, x, y, z, turn in luminaire_positions(project):
+        key = (kind, round(z, 4))
+        if key not in bodies:
+            bodies[key] = body_of[kind](ceiling - z)
+        numbered.place(f"Luminaire {kind}", bodies[key], x, y, z, turn_deg=turn)

@@ -1,6 +1,7 @@
 // The engine's ray rates, and those of `path`, against the bare kernel's on the same rays.
 
 #include "analysis/pictures/camera.h"
+#include "engine/algorithms/registry.h"
 #include "engine/core/parallel.h"
 #include "engine/core/rng.h"
 #include "engine/sampling/warp.h"

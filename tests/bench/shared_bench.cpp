@@ -43,7 +43,7 @@ std::vector<Room> rooms() {
 Result<Project> load(const Room& room) {
     std::vector<fs::path> files;
     for (const auto* file : room.files) files.push_back(fs::path(LUXDECK_SOURCE_DIR) / file);
-    auto project = files.size() == 1 && files.front().extension() == ".toml" ? loadProject(files.front()) : loadProject(files);
+    auto project = loadProject(files);
     if (project && project->grids.empty()) {
         CalculationGrid grid;
         grid.name = room.name;

@@ -3,6 +3,7 @@
 #include "tests/bench/solve_bench.h"
 
 #include "analysis/grids/solver.h"
+#include "engine/algorithms/registry.h"
 #include "engine/core/parallel.h"
 #include "tests/bench/measuring.h"
 #include "tests/support/scenes.h"

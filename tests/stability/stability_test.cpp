@@ -1,7 +1,8 @@
 // Every registered algorithm on every stiff and extreme case (analysis/stability): a new algorithm or case joins by
-// being registered. Seeds are fixed, so a pass stays a pass; false alarms of a new seed: 6e-5 a case.
+// being registered. Seeds are fixed, so a pass stays a pass; false alarms of a new seed: 2e-4 a case (Student's t, 31 degrees of freedom).
 
 #include "analysis/stability/stability.h"
+#include "engine/algorithms/registry.h"
 #include "engine/core/parallel.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ class Stability : public testing::TestWithParam<Pair> {};
 
 TEST_P(Stability, CriterionIsMet) {
     const auto r = runStabilityCase(GetParam().one, GetParam().algorithm, 1, Progress{});
-    EXPECT_EQ(r.verdict, StabilityVerdict::Met)
+    EXPECT_TRUE(r.verdict == StabilityVerdict::Met || r.verdict == StabilityVerdict::KnownLimit)
         << r.lux.value << " +- " << r.lux.ci95 << " lx, expected " << (r.expected.lux ? std::to_string(*r.expected.lux) : r.expected.refusal) << " within "
         << r.expected.slackLux << " lx and four standard errors (" << r.expected.why << ")\n"
         << "rejected " << r.counters.rejected << ", truncated " << r.truncatedFraction() << "\n" << r.refused;
@@ -55,6 +56,17 @@ TEST(StabilityCases, HaveNamesOfTheirOwnAndSaySomeWhy) {
         EXPECT_FALSE(one.exact.why.empty() || one.straight.why.empty()) << one.name;
         EXPECT_FALSE(one.sensors.empty()) << one.name;
     }
+}
+
+// A limit that is registered for no case would hide nothing and say nothing.
+TEST(StabilityCases, AreNamedByEveryLimit) {
+    std::set<std::string> names;
+    for (const auto& one : stabilityCases()) names.insert(one.name);
+    for (const auto& algorithm : algorithms())
+        for (const auto& [name, why] : algorithm.limits) {
+            EXPECT_TRUE(names.contains(name)) << algorithm.name << ": " << name;
+            EXPECT_FALSE(why.empty()) << algorithm.name << ": " << name;
+        }
 }
 
 // A harness that cannot fail proves nothing: a wrong expectation, a wanted refusal that does not come, noise.

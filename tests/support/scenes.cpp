@@ -1,5 +1,6 @@
 #include "tests/support/scenes.h"
 
+#include "engine/algorithms/registry.h"
 #include "engine/transport/sky_visibility.h"
 
 #include <cstdio>

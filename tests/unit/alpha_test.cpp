@@ -1,5 +1,6 @@
 // What is only partly there: holes by alpha, mixtures, panes of a Ward surface, patterns; and surfaces that shine by a
 // picture or a pattern. Statistical checks: |z| < 4, false alarm 6e-5 each, 2e-3 over all of this file; seeds are fixed.
+#include "engine/algorithms/registry.h"
 #include "engine/scene/appearance.h"
 #include "engine/transport/tracer/shadow.h"
 #include "tests/support/estimate.h"

@@ -1,5 +1,6 @@
 #include "engine/scene/needs.h"
 
+#include "engine/algorithms/registry.h"
 #include "engine/io/project.h"
 #include "tests/support/estimate.h"
 #include "tests/support/scenes.h"

@@ -1,5 +1,6 @@
 #include "engine/sampling/sky_sampler.h"
 
+#include "engine/algorithms/registry.h"
 #include "engine/core/parallel.h"
 #include "engine/core/statistics.h"
 #include "engine/scene/sky_models.h"

@@ -37,6 +37,7 @@ PathBatch<S>::PathBatch(const TransportScene& scene, const TracerSettings& setti
         path.query = i;
         path.from = queries[i].origin;
         path.pdfSolidAngle = queries[i].pdfSolidAngle;
+        path.mostReflections = settings.maxReflections;
     }
     findMedia();
     rays_.reserve(queries.size()), hits_.reserve(queries.size()), shadows_.reserve(queries.size());
@@ -60,6 +61,7 @@ TransportCounters PathBatch<S>::run() {
         for (std::size_t i = 0; i < paths_.size(); ++i) shade(i);
         traceShadows();
         traceMirrored();
+        takeFromField();
         removeEnded();
     }
     return finish();
@@ -130,7 +132,7 @@ template <Spectrum S>
 void PathBatch<S>::shadeMet(Path& path, const Hit& hit, const SurfacePoint& point) {
     if (samples_[path.query].object == kNothing) recordFirst(path, hit, point);
     seeSurface(path, hit, point);
-    const bool last = path.reflections >= settings_.maxReflections;
+    const bool last = path.reflections >= path.mostReflections;
     if (last && !scene_.needs.transmission && !scene_.needs.dielectrics) {
         path.ended = true;
         return;
@@ -146,7 +148,7 @@ void PathBatch<S>::shadeMet(Path& path, const Hit& hit, const SurfacePoint& poin
     else if (!bsdf.specular()) scatterRough(path, hit, point, bsdf, last);
     else if (point.material->kind == MaterialKind::Dielectric) scatterBoundary(path, point, bsdf);
     else scatterSpecular(path, hit, point, bsdf);
-    if (path.reflections > settings_.maxReflections) path.ended = true;
+    if (path.reflections > path.mostReflections) path.ended = true;
 }
 
 /// A pattern has no value here: the sample is counted as rejected.
@@ -311,8 +313,10 @@ void PathBatch<S>::scatterRough(Path& path, const Hit& hit, const SurfacePoint& 
     }
     if (!last && !settings_.ambientRadiance.isBlack())
         add(path.query, 2, kFromAmbient, path.throughput * bsdf.albedo(wo.z) * fromRgb<S>(settings_.ambientRadiance), S(0.0F));
+    const bool asks = !last && settings_.field != nullptr && path.reflections >= settings_.fieldAfter && point.material->kind == MaterialKind::Matte;
+    if (asks) askField(path, hit, point, here, bsdf.albedo(wo.z));
     if (!last) connectLight(path, here, point, frame, wo, bsdf);
-    if (!last && path.reflections + 1 < settings_.maxReflections && !scene_.mirrors.empty())
+    if (!last && path.reflections + 1 < path.mostReflections && !scene_.mirrors.empty())
         connectByMirror(path, here, point, frame, wo, bsdf);
     scatter(path, here, point, frame, wo, bsdf);
     path.straight = false;
@@ -384,7 +388,7 @@ void PathBatch<S>::scatter(Path& path, const Receiver& here, const SurfacePoint&
     ++path.reflections;
     const auto& needs = scene_.needs;
     const bool canSeeLight = needs.sky || needs.meshLights || needs.luminaireSurfaces;
-    if (path.reflections >= settings_.maxReflections && !canSeeLight) path.ended = true;
+    if (path.reflections >= path.mostReflections && !canSeeLight) path.ended = true;
 }
 
 /// Ends a path with the chance that its throughput has fallen to: what survives counts the more, so that
@@ -426,6 +430,27 @@ void PathBatch<S>::traceShadows() {
     }
     shadows_.clear();
     shadowRays_.clear();
+}
+
+/// All indirect light of a matte surface at once; the path may still meet light straight.
+template <Spectrum S>
+void PathBatch<S>::askField(Path& path, const Hit& hit, const SurfacePoint& point, const Receiver& here, const S& albedo) {
+    path.mostReflections = path.reflections + 1;
+    fieldPoints_.push_back({here.position, point.shadingNormal, point.geometricNormal, hit.mesh, hit.triangle, hit.u, hit.v, point.frontFace});
+    fromField_.push_back({path.throughput * albedo * (1 / kPi), path.query, path.reflections + 2, diffusePart(path, S(1.0F), S(1.0F))});
+}
+
+template <Spectrum S>
+void PathBatch<S>::takeFromField() {
+    if (fieldPoints_.empty()) return;
+    fieldLux_.resize(fieldPoints_.size());
+    settings_.field->indirect(fieldPoints_, fieldLux_);
+    for (std::size_t i = 0; i < fieldPoints_.size(); ++i) {
+        const auto& from = fromField_[i];
+        add(from.query, from.reflections, kFromAmbient, from.weight * fromRgb<S>(fieldLux_[i]), from.diffuse);
+    }
+    fieldPoints_.clear();
+    fromField_.clear();
 }
 
 template <Spectrum S>

@@ -2,6 +2,7 @@
 
 #include "engine/transport/radiance_estimator.h"
 #include "engine/transport/spectrum.h"
+#include "engine/transport/tracer/irradiance_field.h"
 #include "engine/transport/tracer/media.h"
 #include "engine/transport/tracer/mirrored_light.h"
 
@@ -33,6 +34,9 @@ struct TracerSettings {
     int maxVertices = 20000;       // the cap on what Russian roulette leaves alive
     Rgb ambientRadiance{0.0F};     // constant radiance that every rough surface reflects instead of the
                                    // reflections left out [cd/m^2]
+    const IrradianceField* field = nullptr;      // not null: matte surfaces take their indirect light from it, and no
+                                                 // path goes on from them but to see light straight
+    int fieldAfter = 0;                          // reflections before the field is asked: 0 from the first surface on
     std::vector<SourceShare>* shares = nullptr;  // not null: what each light gave is appended to it; of radiance,
                                                  // `direct` being what was emitted
     std::span<FirstBounce> bounces;              // empty, or filled for each query
@@ -60,6 +64,7 @@ private:
         std::uint32_t query = 0;
         int reflections = 0;       // so far, mirrors included, passages through panes and into solids not
         int vertices = 0;
+        int mostReflections = 1 << 30;  // of its light
         bool straight = true;      // only panes so far, passed straight through
         S passed{1.0F};            // their weights
         S diffuse{0.0F};           // the part of what comes that its first bounce scattered alike in all directions
@@ -76,6 +81,14 @@ private:
         std::uint32_t query;
         int reflections;
         LightSource source;
+        S diffuse;
+    };
+
+    /// What a field is asked, and what its answer counts.
+    struct FromField {
+        S weight;              // radiance for each lx
+        std::uint32_t query;
+        int reflections;
         S diffuse;
     };
 
@@ -110,6 +123,8 @@ private:
     void connectByMirror(Path& path, const Receiver& here, const SurfacePoint& point, const Frame& frame, const Vec3& wo, const B& bsdf);
     void traceMirrored();
     void traceShadows();
+    void askField(Path& path, const Hit& hit, const SurfacePoint& point, const Receiver& here, const S& albedo);
+    void takeFromField();
     void removeEnded();
     /// Adds to the part that light with this many reflections belongs to.
     void add(std::uint32_t query, int reflections, LightSource source, const S& radiance, const S& diffuse);
@@ -148,6 +163,9 @@ private:
     std::vector<Hit> hits_;
     std::vector<Shadow> shadows_;
     std::vector<Mirrored> mirrored_;
+    std::vector<FromField> fromField_;
+    std::vector<FieldPoint> fieldPoints_;
+    std::vector<Rgb> fieldLux_;
     std::vector<Ray> shadowRays_;
     std::vector<std::uint8_t> shadowed_;
     TransportCounters counters_;

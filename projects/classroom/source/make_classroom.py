@@ -18,7 +18,7 @@ import school
 import seating
 from glb import GlbFile
 from luminaire_bodies import BODIES
-from placing import Counter, luminaire_positions
+from placing import Counter, hang_luminaires
 
 PROJECT = pathlib.Path(__file__).resolve().parent.parent
 COLUMNS = (1.35, 3.60, 5.85)                     # y of the desks' middles
@@ -83,15 +83,6 @@ def furnish_walls(glb):
     n.place("Hook rail", school.hook_rail(2.2, 9), 5.35, room.WIDTH, 0.98)
 
 
-def hang_luminaires(glb, project):
-    numbered, bodies = Counter(glb), {}
-    for kind, x, y, z, turn in luminaire_positions(project):
-        key = (kind, round(z, 4))
-        if key not in bodies:
-            bodies[key] = BODIES[kind](room.CEILING - z)
-        numbered.place(f"Luminaire {kind}", bodies[key], x, y, z, turn_deg=turn)
-
-
 def main():
     project = tomllib.loads((PROJECT / "project.toml").read_text(encoding="utf-8"))
     glb = GlbFile("classroom", {table["name"]: table for table in project["material"]})
@@ -99,7 +90,7 @@ def main():
     furnish_desks(glb)
     furnish_front(glb)
     furnish_walls(glb)
-    hang_luminaires(glb, project)
+    hang_luminaires(glb, project, BODIES, room.CEILING)
     glb.finish(PROJECT)
 
 

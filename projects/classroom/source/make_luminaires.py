@@ -8,7 +8,7 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "common"))
-from photometry import exact_lumens, ies_text, ldt_text, sampled, steps
+from photometry import ies_text, ldt_text, percent_down, sampled, steps, thrown
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "luminaires"
 
@@ -29,10 +29,7 @@ def board_washer(v, h):
     """B: a line of light thrown towards h = 90, 30 degrees off the nadir; widths chosen for an even board."""
     if v >= 90:
         return 0.0
-    sv, cv = math.sin(math.radians(v)), math.cos(math.radians(v))
-    x, y = sv * math.cos(math.radians(h)), sv * math.sin(math.radians(h))
-    throw = math.degrees(math.atan2(y, cv))          # in the plane square to the board
-    spread = math.degrees(math.asin(max(-1.0, min(1.0, x))))
+    cv, throw, spread = thrown(v, h)
     width = 22.0 if throw > 30 else 15.0
     rim = min(1.0, cv / 0.35)                        # the luminance stays finite up to the horizontal
     return math.exp(-((throw - 30) / width) ** 2) * math.cos(math.radians(spread)) ** 1.5 * rim
@@ -41,8 +38,7 @@ def board_washer(v, h):
 def write_pendant():
     gammas, stored = steps(0, 180, 2.5), steps(0, 90, 5)
     table = sampled(linear_pendant, gammas, stored, 2400, copies=4)
-    down = [[i if g < 90 else 0.0 for g, i in zip(gammas, row)] for row in table]
-    percent = 100 * exact_lumens(gammas, stored, down) * 4 / 2400
+    percent = percent_down(gammas, stored, table, 4, 2400)
     text = ldt_text("Linear pendant 1200, direct and indirect", "LXD-CL-A", "a_pendant.ldt", 4, 2400, 18,
                     (1220, 120, 12, 1180, 90), steps(0, 355, 5), gammas, table, percent)
     (FOLDER / "a_pendant.ldt").write_bytes(text.encode("latin-1"))

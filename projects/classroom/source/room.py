@@ -6,6 +6,7 @@ import math
 import random
 
 from glb import Thing
+import rooms
 from shapes import box, cylinder, joined, lathe, loft, panel_with_holes, quad, rounded_block, tube
 
 LENGTH, WIDTH, CEILING = 9.0, 7.2, 3.0       # inner dimensions [m]; x away from the board, y from the windows to the door
@@ -34,14 +35,7 @@ def shell(place):
 def ceiling_tiles(place):
     """Acoustic tiles with a 6 mm bevel in a visible grid, 8 mm below it."""
     place("Ceiling grid", Thing().add("ceiling grid white", box(-0.005, -0.005, CEILING + 0.008, LENGTH + 0.005, WIDTH + 0.005, 3.021)))
-    tiles = Thing()
-    for i in range(round(LENGTH / TILE)):
-        for j in range(round(WIDTH / TILE)):
-            x0, y0, x1, y1 = TILE * i + 0.012, TILE * j + 0.012, TILE * (i + 1) - 0.012, TILE * (j + 1) - 0.012
-            b = 0.006
-            low = [(x0 + b, y0 + b, CEILING), (x1 - b, y0 + b, CEILING), (x1 - b, y1 - b, CEILING), (x0 + b, y1 - b, CEILING)]
-            high = [(x0, y0, 3.012), (x1, y0, 3.012), (x1, y1, 3.012), (x0, y1, 3.012)]
-            tiles.add("ceiling tile white", loft([low, high], caps=False) + quad(low[3], low[2], low[1], low[0]))
+    tiles = rooms.ceiling_tiles(LENGTH, WIDTH, CEILING, TILE)
     place("Ceiling tiles", tiles)
 
 
@@ -54,11 +48,7 @@ def floor(place):
                  quad((0, y0, 0), (LENGTH, y0, 0), (LENGTH, y1, 0), (0, y1, 0)))
     place("Linoleum", lino)
     thick, top = 0.015, 0.07
-    runs = [box(-0.004, -0.005, -0.015, LENGTH + 0.004, thick, top - 0.0005),
-            box(-0.004, WIDTH - thick, -0.015, DOOR[0] - 0.045, WIDTH + 0.005, top - 0.0005),
-            box(DOOR[1] + 0.045, WIDTH - thick, -0.015, LENGTH + 0.004, WIDTH + 0.005, top - 0.0005),
-            box(-0.005, -0.008, -0.014, thick, WIDTH + 0.008, top),
-            box(LENGTH - thick, -0.008, -0.014, LENGTH + 0.005, WIDTH + 0.008, top)]
+    runs = rooms.skirting(LENGTH, WIDTH, (DOOR[0], DOOR[1]), thick, top)
     place("Skirting", Thing().add("oak solid", *runs))
 
 
@@ -87,7 +77,7 @@ def windows(place):
         place(f"Blind {k + 1}", _blind(x0 + 0.015, x1 - 0.015, drawn[k]))
         place(f"Window sill {k + 1}", Thing().add("sill stone", rounded_block(
             x0 - 0.02, -0.195, SILL - 0.012, x1 + 0.02, 0.05, SILL + 0.016, 0.008, 0.004, 2, 2)))
-        place(f"Radiator {k + 1}", _radiator(x0 + 0.1, x1 - 0.1))
+        place(f"Radiator {k + 1}", rooms.radiator(x0 + 0.1, x1 - 0.1, 0.68, 22))
 
 
 def _blind(x0, x1, bottom):
@@ -100,33 +90,10 @@ def _blind(x0, x1, bottom):
     return thing
 
 
-def _radiator(x0, x1):
-    thing = Thing().add("steel powder white", rounded_block(x0, 0.035, 0.13, x1, 0.105, 0.68, 0.02, 0.008, 3, 2))
-    fins = 22
-    for i in range(fins):
-        x = x0 + 0.05 + (x1 - x0 - 0.1) * i / (fins - 1)
-        thing.add("steel powder white", box(x - 0.012, 0.104, 0.16, x + 0.012, 0.112, 0.65))
-    for x in (x0 + 0.15, x1 - 0.15):
-        thing.add("steel powder white", box(x - 0.02, -0.004, 0.5, x + 0.02, 0.036, 0.54))
-    return thing.add("steel powder white", tube([(x1 - 0.04, 0.07, -0.01), (x1 - 0.04, 0.07, 0.14)], 0.009, 8))
-
-
 def entrance(place):
     """A door at the back in a steel frame, with a lever; a double switch and a socket beside it."""
     x0, x1, top = DOOR
-    frame = Thing().add("steel powder grey",
-                        box(x0 - 0.05, WIDTH - 0.02, -0.012, x0 + 0.03, WIDTH + 0.16, top + 0.05),
-                        box(x1 - 0.03, WIDTH - 0.02, -0.012, x1 + 0.05, WIDTH + 0.16, top + 0.05),
-                        box(x0 - 0.045, WIDTH - 0.019, top - 0.03, x1 + 0.045, WIDTH + 0.159, top + 0.049),
-                        box(x0 + 0.01, WIDTH - 0.005, -0.013, x1 - 0.01, WIDTH + 0.152, 0.006))
-    place("Door frame", frame)
-    leaf = Thing().add("door petrol", box(x0 + 0.024, WIDTH + 0.01, 0.004, x1 - 0.024, WIDTH + 0.052, top - 0.024))
-    hx, hz = x0 + 0.10, 1.05
-    lever = [(hx, WIDTH + 0.005, hz), (hx, WIDTH - 0.055, hz), (hx + 0.012, WIDTH - 0.062, hz), (hx + 0.13, WIDTH - 0.062, hz)]
-    plate = lathe([(0, 0), (0.026, 0), (0.026, 0.006), (0.023, 0.008), (0, 0.008)], 24)
-    leaf.add("steel brushed", tube(lever, 0.010, 10), plate.turned("x", 90).moved(hx, WIDTH + 0.0105, hz),
-             plate.turned("x", 90).moved(hx, WIDTH + 0.0105, hz - 0.14))
-    place("Door", leaf)
+    rooms.door(place, WIDTH, x0, x1, top, "steel powder grey", "door petrol", -1)
     for name, x, z in (("Light switch 1", x0 - 0.22, 1.05), ("Light switch 2", x0 - 0.302, 1.05), ("Socket 1", x0 - 0.22, 0.30),
                        ("Socket 2", 0.60, 0.30)):
         cover = rounded_block(-0.04, -0.04, 0, 0.04, 0.04, 0.011, 0.006, 0.003, 3)

@@ -8,7 +8,7 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "common"))
-from photometry import ies_text, ldt_text, sampled, steps
+from photometry import ies_text, ldt_text, sampled, steps, thrown
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "luminaires"
 
@@ -28,10 +28,7 @@ def wall_washer(v, h):
     """W: a lens washer thrown towards h = 90, 30 degrees off the nadir, wide along the wall."""
     if v >= 90:
         return 0.0
-    sv, cv = math.sin(math.radians(v)), math.cos(math.radians(v))
-    x, y = sv * math.cos(math.radians(h)), sv * math.sin(math.radians(h))
-    throw = math.degrees(math.atan2(y, cv))
-    spread = math.degrees(math.asin(max(-1.0, min(1.0, x))))
+    cv, throw, spread = thrown(v, h)
     width = 21.0 if throw > 30 else 16.0
     return math.exp(-((throw - 30) / width) ** 2) * math.exp(-(spread / 36.0) ** 2) * min(1.0, cv / 0.30)
 

@@ -8,7 +8,7 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "common"))
-from photometry import exact_lumens, ies_text, ldt_text, sampled, steps
+from photometry import ies_text, ldt_text, percent_down, sampled, steps, thrown
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "luminaires"
 
@@ -44,10 +44,7 @@ def wall_washer(v, h):
     """D: thrown towards h = 90, 28 degrees off the nadir; the mirror plane is h = 90 - 270."""
     if v >= 90:
         return 0.0
-    sv, cv = math.sin(math.radians(v)), math.cos(math.radians(v))
-    x, y = sv * math.cos(math.radians(h)), sv * math.sin(math.radians(h))
-    throw = math.degrees(math.atan2(y, cv))          # in the plane square to the wall
-    spread = math.degrees(math.asin(max(-1.0, min(1.0, x))))
+    cv, throw, spread = thrown(v, h)
     width = 19.0 if throw > 28 else 21.0
     rim = min(1.0, cv / 0.30)                        # the luminance stays finite up to the horizontal
     return math.exp(-((throw - 28) / width) ** 2) * math.exp(-(spread / 34.0) ** 2) * rim
@@ -67,8 +64,7 @@ def write_panel():
 def write_pendant():
     gammas, stored = steps(0, 180, 2.5), steps(0, 90, 5)
     table = sampled(edge_lit_pendant, gammas, stored, 3200, copies=4)
-    down = [[i if g < 90 else 0.0 for g, i in zip(gammas, row)] for row in table]
-    percent = 100 * exact_lumens(gammas, stored, down) * 4 / 3200
+    percent = percent_down(gammas, stored, table, 4, 3200)
     write("b_pendant.ldt", ldt_text("Edge-lit pendant 1500, direct and indirect", "LXD-B", "b_pendant.ldt", 4, 3200, 24,
                                     (1540, 200, 8, 1490, 150), steps(0, 355, 5), gammas, table, percent))
 

@@ -17,21 +17,12 @@ import plants
 import room
 import seating
 from glb import GlbFile
-from placing import Counter, luminaire_positions
+from placing import Counter, hang_luminaires, luminaire_positions
 from luminaire_bodies import BODIES
 
 PROJECT = pathlib.Path(__file__).resolve().parent.parent
 BENCHES = [(2.0, 1.0, 3, "felt petrol"), (5.6, 1.0, 3, "felt ochre"), (9.2, 1.0, 2, "felt petrol")]  # x, y0, desks a side
 DESK_WIDTH, DESK_DEPTH = 1.6, 0.8
-
-
-def hang_luminaires(glb, project):
-    numbered, bodies = Counter(glb), {}
-    for kind, x, y, z, turn in luminaire_positions(project):
-        key = (kind, round(z, 4))
-        if key not in bodies:
-            bodies[key] = BODIES[kind](room.CEILING - z)
-        numbered.place(f"Luminaire {kind}", bodies[key], x, y, z, turn_deg=turn)
 
 
 def tiles_taken_by_panels(project):
@@ -146,7 +137,7 @@ def main():
     furnish_meeting_room(glb)
     furnish_storage(glb)
     furnish_lounge(glb)
-    hang_luminaires(glb, project)
+    hang_luminaires(glb, project, BODIES, room.CEILING)
     glb.finish(PROJECT)
 
 

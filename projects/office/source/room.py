@@ -5,6 +5,7 @@ Parts that meet go a few millimetres into one another instead of sharing a plane
 import random
 
 from glb import Thing
+import rooms
 from shapes import box, circle, cylinder, lathe, loft, panel_with_holes, quad, rounded_block, tube
 
 LENGTH, WIDTH, CEILING = 14.4, 9.0, 2.9      # inner dimensions [m]; x along the windows, y to the corridor wall
@@ -36,16 +37,7 @@ def slabs(place):
 
 def ceiling_tiles(place, occupied):
     """Tegular tiles that hang 8 mm below their grid, except where a luminaire fills the cell."""
-    tiles = Thing()
-    for i in range(round(LENGTH / TILE)):
-        for j in range(round(WIDTH / TILE)):
-            if (i, j) in occupied:
-                continue
-            x0, y0, x1, y1 = TILE * i + 0.012, TILE * j + 0.012, TILE * (i + 1) - 0.012, TILE * (j + 1) - 0.012
-            b = 0.006
-            low = [(x0 + b, y0 + b, CEILING), (x1 - b, y0 + b, CEILING), (x1 - b, y1 - b, CEILING), (x0 + b, y1 - b, CEILING)]
-            high = [(x0, y0, 2.912), (x1, y0, 2.912), (x1, y1, 2.912), (x0, y1, 2.912)]
-            tiles.add("ceiling tile white", loft([low, high], caps=False) + quad(low[3], low[2], low[1], low[0]))
+    tiles = rooms.ceiling_tiles(LENGTH, WIDTH, CEILING, TILE, occupied)
     place("Ceiling tiles", tiles)
 
 
@@ -79,11 +71,7 @@ def _finish(x0, y0, x1, y1):
 
 def skirting(place):
     thick, top = 0.012, 0.08
-    runs = [box(-0.004, -0.005, -0.015, LENGTH + 0.004, thick, top - 0.0005),
-            box(-0.004, WIDTH - thick, -0.015, DOOR[0] - 0.045, WIDTH + 0.005, top - 0.0005),
-            box(DOOR[2] + 0.045, WIDTH - thick, -0.015, LENGTH + 0.004, WIDTH + 0.005, top - 0.0005),
-            box(-0.005, -0.008, -0.014, thick, WIDTH + 0.008, top),
-            box(LENGTH - thick, -0.008, -0.014, LENGTH + 0.005, WIDTH + 0.008, top)]
+    runs = rooms.skirting(LENGTH, WIDTH, (DOOR[0], DOOR[2]), thick, top)
     place("Skirting", Thing().add("skirting white", *runs))
 
 
@@ -120,14 +108,7 @@ def windows(place):
 def radiators(place):
     spans = [(0.7, 1.9), (2.1, 3.3), (4.3, 5.5), (5.7, 6.9), (7.9, 9.1), (9.3, 10.5), (11.5, 12.7), (12.9, 14.1)]
     for k, (x0, x1) in enumerate(spans):
-        thing = Thing().add("steel powder white", rounded_block(x0, 0.035, 0.13, x1, 0.105, 0.66, 0.02, 0.008, 3, 2))
-        fins = 14
-        for i in range(fins):
-            x = x0 + 0.05 + (x1 - x0 - 0.1) * i / (fins - 1)
-            thing.add("steel powder white", box(x - 0.012, 0.104, 0.16, x + 0.012, 0.112, 0.63))
-        for x in (x0 + 0.15, x1 - 0.15):
-            thing.add("steel powder white", box(x - 0.02, -0.004, 0.5, x + 0.02, 0.036, 0.54))
-        thing.add("steel powder white", tube([(x1 - 0.04, 0.07, -0.01), (x1 - 0.04, 0.07, 0.14)], 0.009, 8))
+        thing = rooms.radiator(x0, x1, 0.66, 14)
         place(f"Radiator {k + 1}", thing)
 
 
@@ -144,19 +125,7 @@ def columns(place):
 def entrance(place):
     """An oak leaf in a steel frame, closed, with lever handles, and the luminous exit sign above it."""
     x0, _, x1, top = DOOR
-    frame = Thing().add("steel powder black",
-                        box(x0 - 0.05, WIDTH - 0.02, -0.012, x0 + 0.03, WIDTH + 0.16, top + 0.05),
-                        box(x1 - 0.03, WIDTH - 0.02, -0.012, x1 + 0.05, WIDTH + 0.16, top + 0.05),
-                        box(x0 - 0.045, WIDTH - 0.019, top - 0.03, x1 + 0.045, WIDTH + 0.159, top + 0.049),
-                        box(x0 + 0.01, WIDTH - 0.005, -0.013, x1 - 0.01, WIDTH + 0.152, 0.006))
-    place("Door frame", frame)
-    leaf = Thing().add("oak laminate", box(x0 + 0.024, WIDTH + 0.01, 0.004, x1 - 0.024, WIDTH + 0.052, top - 0.024))
-    hx, hz = x1 - 0.10, 1.05
-    lever = [(hx, WIDTH + 0.005, hz), (hx, WIDTH - 0.055, hz), (hx - 0.012, WIDTH - 0.062, hz), (hx - 0.13, WIDTH - 0.062, hz)]
-    plate = lathe([(0, 0), (0.026, 0), (0.026, 0.006), (0.023, 0.008), (0, 0.008)], 24)
-    leaf.add("steel brushed", tube(lever, 0.010, 10), plate.turned("x", 90).moved(hx, WIDTH + 0.0105, hz),
-             plate.turned("x", 90).moved(hx, WIDTH + 0.0105, hz - 0.14))
-    place("Door", leaf)
+    rooms.door(place, WIDTH, x0, x1, top, "steel powder black", "oak laminate", 1)
     cx, z = (x0 + x1) / 2, 2.42
     sign = Thing().add("plastic white", box(cx - 0.17, WIDTH - 0.035, z - 0.095, cx + 0.17, WIDTH + 0.003, z + 0.095))
     face = quad((cx - 0.16, WIDTH - 0.0358, z - 0.085), (cx + 0.16, WIDTH - 0.0358, z - 0.085),

@@ -1,8 +1,9 @@
+#include "engine/algorithms/registry.h"
+
 #include "engine/transport/ambient/ambient_estimator.h"
 #include "engine/transport/direct/direct_estimator.h"
 #include "engine/transport/enclosure.h"
 #include "engine/transport/path/path_estimator.h"
-#include "engine/transport/radiance_estimator.h"
 #include "engine/transport/shared/shared_estimator.h"
 
 #include <fmt/format.h>
@@ -22,17 +23,21 @@ const std::vector<Algorithm>& algorithms() {
     return all;
 }
 
+const Algorithm* algorithmNamed(const std::string& name) {
+    for (const auto& a : algorithms())
+        if (a.name == name) return &a;
+    return nullptr;
+}
+
 Result<std::unique_ptr<RadianceEstimator>> makeEstimator(const std::string& algorithm, const TransportScene& scene,
                                                          const AlgorithmSettings& settings) {
-    std::string known;
-    for (const auto& a : algorithms()) {
-        if (a.name == algorithm) {
-            if (a.interreflection)
-                if (const auto ends = checkThatLightIsLost(scene); !ends) return ends.error();
-            return a.create(scene, settings);
-        }
-        known += (known.empty() ? "" : ", ") + a.name;
+    if (const auto* found = algorithmNamed(algorithm)) {
+        if (found->interreflection)
+            if (const auto ends = checkThatLightIsLost(scene); !ends) return ends.error();
+        return found->create(scene, settings);
     }
+    std::string known;
+    for (const auto& a : algorithms()) known += (known.empty() ? "" : ", ") + a.name;
     return Error{ErrorCode::InvalidArgument, fmt::format("no algorithm \"{}\", expected one of: {}", algorithm, known)};
 }
 

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "engine/core/rgb.h"
+#include "engine/core/vec.h"
+
+#include <cstdint>
+#include <span>
+
+namespace luxdeck {
+
+/// A place on a matte surface whose reflected light is asked of a field.
+struct FieldPoint {
+    Vec3 position{0, 0, 0};    // just off the surface, on the side asked for [m], re-based
+    Vec3 normal{0, 0, 1};      // of shading, unit, to that side
+    Vec3 geometricNormal{0, 0, 1};
+    std::uint32_t mesh = 0;    // index into Scene::meshes
+    std::uint32_t triangle = 0;
+    float u = 0, v = 0;        // barycentric weights of its second and third vertex
+    bool frontFace = true;     // the side of the mesh's own normal
+};
+
+/// Light on surfaces that was found before: what the cached algorithms (photon map, radiosity, irradiance cache,
+/// volume) know. Biased, as its card says. Immutable, safe to call from any number of threads.
+class IrradianceField {
+public:
+    virtual ~IrradianceField() = default;
+    /// lux[i] becomes the indirect irradiance at points[i], reflected once or more, mirrors included [lx]; a value that
+    /// is not finite rejects the sample. Both #P.
+    virtual void indirect(std::span<const FieldPoint> points, std::span<Rgb> lux) const = 0;
+};
+
+}  // namespace luxdeck
