@@ -1,5 +1,7 @@
 #include "engine/scene/scene_builder.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -104,7 +106,7 @@ SceneBuilder& SceneBuilder::sphere(Vec3 centre, float radius, std::uint32_t mate
 
 SceneBuilder& SceneBuilder::luminaire(Vec3 position, CandelaTable table, LuminousOpening opening, Vec3 aim) {
     LuminaireType type;
-    type.id = "T" + std::to_string(scene_.luminaireTypes.size() + 1);
+    type.id = fmt::format("T{}", scene_.luminaireTypes.size() + 1);
     type.photometry.table = std::move(table);
     type.photometry.opening = opening;
     Luminaire l;
