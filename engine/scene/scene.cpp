@@ -200,14 +200,14 @@ Result<void> validate(Scene& scene) {
     return {};
 }
 
-std::string sceneHash(const Scene& scene) {
-    HashInput in;
-    in.add(scene.origin);
-    for (const auto& mesh : scene.meshes) {
-        in.addAll(mesh.positions), in.addAll(mesh.normals), in.addAll(mesh.uvs), in.addAll(mesh.triangles);
-        in.add(mesh.material);
-    }
-    for (const auto& m : scene.materials) addMaterial(in, m);
+namespace {
+
+void addMesh(HashInput& in, const Mesh& mesh) {
+    in.addAll(mesh.positions), in.addAll(mesh.normals), in.addAll(mesh.uvs), in.addAll(mesh.triangles);
+    in.add(mesh.material);
+}
+
+void addPictures(HashInput& in, const Scene& scene) {
     for (const auto& p : scene.patterns) {
         const auto identity = p->identity();
         in.addAll(std::vector<char>(identity.begin(), identity.end()));
@@ -216,19 +216,65 @@ std::string sceneHash(const Scene& scene) {
         in.add(t.width), in.add(t.height), in.add(t.srgb), in.add(t.wrapU), in.add(t.wrapV);
         in.addAll(t.rgba);
     }
-    for (const auto& t : scene.luminaireTypes) {
-        const auto& table = t.photometry.table;
-        in.add(table.type()), in.addAll(table.vertical()), in.addAll(table.horizontal()), in.addAll(table.candela());
-        const auto& opening = t.photometry.opening;  // field by field: the bytes between them are anything
-        in.add(t.colour), in.add(opening.shape), in.add(opening.lengthM), in.add(opening.widthM), in.add(opening.heightM);
-    }
-    for (const auto& l : scene.luminaires) {
-        in.add(l.type), in.add(l.position), in.add(l.frame), in.add(l.outputScale());
-    }
-    const auto sky = scene.sky.identity();
-    in.addAll(std::vector<char>(sky.begin(), sky.end()));
+}
+
+void addLuminaireType(HashInput& in, const LuminaireType& t) {
+    const auto& table = t.photometry.table;
+    in.add(table.type()), in.addAll(table.vertical()), in.addAll(table.horizontal()), in.addAll(table.candela());
+    const auto& opening = t.photometry.opening;  // field by field: the bytes between them are anything
+    in.add(t.colour), in.add(opening.shape), in.add(opening.lengthM), in.add(opening.widthM), in.add(opening.heightM);
+}
+
+void addLuminaire(HashInput& in, const Luminaire& l) {
+    in.add(l.position), in.add(l.frame), in.add(l.outputScale());
+}
+
+void addSky(HashInput& in, const Sky& sky) {
+    const auto identity = sky.identity();
+    in.addAll(std::vector<char>(identity.begin(), identity.end()));
+}
+
+std::string nameOr(const std::string& name, const char* kind, std::size_t index) {
+    return name.empty() ? fmt::format("{} {}", kind, index + 1) : fmt::format("{} {}", kind, name);
+}
+
+}  // namespace
+
+std::string sceneHash(const Scene& scene) {
+    HashInput in;
+    in.add(scene.origin);
+    for (const auto& mesh : scene.meshes) addMesh(in, mesh);
+    for (const auto& m : scene.materials) addMaterial(in, m);
+    addPictures(in, scene);
+    for (const auto& t : scene.luminaireTypes) addLuminaireType(in, t);
+    for (const auto& l : scene.luminaires) in.add(l.type), addLuminaire(in, l);
+    addSky(in, scene.sky);
     in.add(scene.weights);
     return in.hash();
+}
+
+std::vector<ScenePart> sceneParts(const Scene& scene) {
+    std::vector<ScenePart> parts;
+    std::vector<HashInput> objects(scene.objects.size());
+    std::vector<Box3> boxes(scene.objects.size());
+    for (const auto& mesh : scene.meshes) {
+        auto& in = objects[mesh.object];
+        addMesh(in, mesh), addMaterial(in, scene.materials[mesh.material]);
+        for (const auto& p : mesh.positions) boxes[mesh.object].extendBy(p);
+    }
+    for (std::size_t i = 0; i < objects.size(); ++i) parts.push_back({nameOr(scene.objects[i].name, "object", i), objects[i].hash(), boxes[i]});
+    for (std::size_t i = 0; i < scene.luminaires.size(); ++i) {
+        const auto& l = scene.luminaires[i];
+        HashInput in;
+        addLuminaireType(in, scene.luminaireTypes[l.type]), addLuminaire(in, l);
+        parts.push_back({nameOr(l.name, "luminaire", i), in.hash(), Box3(l.position, l.position)});
+    }
+    HashInput sky, pictures, space;
+    addSky(sky, scene.sky), addPictures(pictures, scene), space.add(scene.origin), space.add(scene.weights);
+    parts.push_back({"sky", sky.hash(), {}});
+    parts.push_back({"textures and patterns", pictures.hash(), {}});
+    parts.push_back({"origin or colour space", space.hash(), {}});
+    return parts;
 }
 
 }  // namespace luxdeck

@@ -177,7 +177,7 @@ void pathAgainstKernel(benchmark::State& state) {
     };
     const RecordingRaycaster recorder(lit.raycaster());
     const auto t = lit.transport();
-    const auto counters = solveWith({t.scene, t.needs, recorder, t.lights});
+    const auto counters = solveWith({t.scene, t.needs, recorder, t.lights, t.mirrors, t.sky});
     if (counters.paths == 0 || counters.rejected > 0) {
         state.SkipWithError("paths were rejected");
         return;
