@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace luxdeck::cli {
 
@@ -71,6 +72,8 @@ Command addRender(CLI::App& program);
 Command addExport(CLI::App& program);
 Command addTonemap(CLI::App& program);
 Command addValidate(CLI::App& program);
+/// build, query, info, diff and export, each a command of its own behind `volume`.
+std::vector<Command> addVolume(CLI::App& program);
 #ifdef LUXDECK_REPORT
 Command addReport(CLI::App& program);
 #endif

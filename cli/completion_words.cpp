@@ -1,6 +1,7 @@
 #include "cli/completion_words.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace luxdeck::cli {
 
@@ -37,7 +38,7 @@ std::string firstSentence(const std::string& text) {
 }
 
 CompletionCommand wordsOf(const CLI::App& app, const std::string& name) {
-    CompletionCommand out{name, firstSentence(app.get_description()), {}, {}};
+    CompletionCommand out{name, firstSentence(app.get_description()), {}, {}, {}};
     for (const auto* option : app.get_options()) {
         if (option->get_positional()) {
             out.argument = valueOf(*option);
@@ -53,12 +54,24 @@ CompletionCommand wordsOf(const CLI::App& app, const std::string& name) {
     return out;
 }
 
+void addSubcommand(CompletionCommand& command, CompletionCommand sub) {
+    command.subcommands.push_back(std::move(sub.name));
+    if (command.argument.kind == CompletionValue::Kind::None) command.argument = std::move(sub.argument);
+    for (auto& option : sub.options)
+        if (std::none_of(command.options.begin(), command.options.end(), [&](const auto& known) { return known.names == option.names; }))
+            command.options.push_back(std::move(option));
+}
+
+constexpr auto kAll = [](const CLI::App*) { return true; };
+
 }  // namespace
 
 std::vector<CompletionCommand> completionWords(const CLI::App& program) {
     std::vector<CompletionCommand> out{wordsOf(program, "")};
-    for (const auto* command : program.get_subcommands([](const CLI::App*) { return true; }))
+    for (const auto* command : program.get_subcommands(kAll)) {
         out.push_back(wordsOf(*command, command->get_name()));
+        for (const auto* sub : command->get_subcommands(kAll)) addSubcommand(out.back(), wordsOf(*sub, sub->get_name()));
+    }
     return out;
 }
 

@@ -25,6 +25,7 @@ struct CompletionCommand {
     std::string description;
     std::vector<CompletionOption> options;
     CompletionValue argument;           // of the positional arguments
+    std::vector<std::string> subcommands;  // one of them stands before all else; options are those of all of them
 };
 
 /// The program itself first, then its commands in order.

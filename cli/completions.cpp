@@ -77,7 +77,11 @@ std::string bashScript(const std::vector<CompletionCommand>& all) {
     std::string out = kBashStart;
     out += fmt::format("            {}) command=$word; break;;\n        esac\n    done\n    case $command in\n", joined(commands, "|"));
     out += bashCommand(all[0], "_luxdeck_words " + quoted(joined(commands, " ")));
-    for (std::size_t i = 1; i < all.size(); ++i) out += bashCommand(all[i], bashReply(all[i].argument));
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        const auto reply = bashReply(all[i].argument);
+        const auto& subs = all[i].subcommands;
+        out += bashCommand(all[i], subs.empty() ? reply : fmt::format("if [[ $COMP_CWORD == 2 ]]; then _luxdeck_words {}; else {}; fi", quoted(joined(subs, " ")), reply));
+    }
     return out + "    esac\n}\ncomplete -F _luxdeck luxdeck\n";
 }
 
@@ -107,6 +111,7 @@ std::string zshArguments(const CompletionCommand& command) {
     for (const auto& option : command.options)
         for (const auto& name : option.names)
             out += fmt::format(" \\\n                {}", quoted(fmt::format("{}[{}]{}", name, zshText(option.description), zshAction(option.value))));
+    if (!command.subcommands.empty()) out += fmt::format(" \\\n                {}", quoted(fmt::format("1:command:({})", joined(command.subcommands, " "))));
     if (command.argument.kind != Kind::None) out += fmt::format(" \\\n                {}", quoted("*" + zshAction(command.argument)));
     return out;
 }
@@ -159,6 +164,7 @@ std::string fishScript(const std::vector<CompletionCommand>& all) {
         const auto inside = "__fish_seen_subcommand_from " + all[i].name;
         out += fmt::format("complete -c luxdeck -n __fish_use_subcommand -a {} -d {}\n", all[i].name, fishQuoted(all[i].description));
         if (all[i].argument.kind == Kind::File) out += fmt::format("complete -c luxdeck -n {} -F\n", quoted(inside));
+        if (!all[i].subcommands.empty()) out += fmt::format("complete -c luxdeck -n {} -a {}\n", quoted(inside), quoted(joined(all[i].subcommands, " ")));
         out += fishOptions(all[i], inside);
     }
     return out;

@@ -32,6 +32,12 @@ std::string options(const CLI::App& app) {
     return out;
 }
 
+std::string section(const std::string& name, const CLI::App& command) {
+    return fmt::format(".SS luxdeck {}\n{}\n{}", escaped(name), escaped(command.get_description()), options(command));
+}
+
+constexpr auto kAll = [](const CLI::App*) { return true; };
+
 }  // namespace
 
 std::string manPage(const CLI::App& program) {
@@ -39,8 +45,10 @@ std::string manPage(const CLI::App& program) {
                                    ".SH SYNOPSIS\n.B luxdeck\n.I COMMAND\n[options]\n.SH DESCRIPTION\n{}\n.SH OPTIONS\n{}",
                                    kVersion, escaped(program.get_description()), options(program));
     page += ".SH COMMANDS\n";
-    for (const auto* command : program.get_subcommands([](const CLI::App*) { return true; }))
-        page += fmt::format(".SS luxdeck {}\n{}\n{}", escaped(command->get_name()), escaped(command->get_description()), options(*command));
+    for (const auto* command : program.get_subcommands(kAll)) {
+        page += section(command->get_name(), *command);
+        for (const auto* sub : command->get_subcommands(kAll)) page += section(command->get_name() + " " + sub->get_name(), *sub);
+    }
     page += fmt::format(".SH EXIT STATUS\n{}\n", escaped(program.get_footer()));
     return page;
 }

@@ -12,6 +12,7 @@
 #include <exception>
 #include <new>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace luxdeck::cli {
@@ -33,11 +34,12 @@ void addCommon(CLI::App& app, Common& common) {
 }
 
 std::vector<Command> addCommands(CLI::App& program) {
-    return {addCheck(program), addSolve(program), addSense(program), addRender(program), addTonemap(program), addExport(program), addValidate(program),
+    std::vector<Command> all{addCheck(program), addSolve(program), addSense(program), addRender(program), addTonemap(program), addExport(program), addValidate(program)};
+    for (auto& command : addVolume(program)) all.push_back(std::move(command));
 #ifdef LUXDECK_REPORT
-            addReport(program),
+    all.push_back(addReport(program));
 #endif
-    };
+    return all;
 }
 
 Exit runCommand(const Command& command, const Common& common) {

@@ -3,14 +3,13 @@
 #include "cli/json_text.h"
 #include "cli/line_reader.h"
 #include "cli/load.h"
+#include "cli/ray_lines.h"
 #include "cli/streams.h"
 #include "engine/algorithms/registry.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -34,48 +33,12 @@ constexpr std::size_t kMostLines = 2048;
 /// Without a fixed number, an answer may take this many paths at most.
 constexpr std::uint32_t kMostPerReplicate = 8192;
 
-/// Beyond this, single precision could not tell a point from its neighbours.
-constexpr double kFarthestM = 1e8;
-
-/// The six numbers of a line; false: not six numbers in their range, or a direction without length.
-bool parse(const std::string& line, std::array<double, 6>& v) {
-    const char* at = line.data();
-    const char* end = at + line.size();
-    for (auto& x : v) {
-        while (at < end && (*at == ' ' || *at == '\t' || *at == ',')) ++at;
-        const auto [next, error] = std::from_chars(at, end, x);
-        if (error != std::errc{} || !std::isfinite(x)) return false;
-        if (&x < &v[3] && std::abs(x) > kFarthestM) return false;
-        at = next;
-    }
-    while (at < end && (*at == ' ' || *at == '\t' || *at == '\r')) ++at;
-    return at == end && (v[3] != 0 || v[4] != 0 || v[5] != 0);
-}
-
-bool isBlank(const std::string& line) { return line.find_first_not_of(" \t\r") == std::string::npos; }
-
-/// As a message can show it: short, and without what would upset a terminal.
-std::string shown(const std::string& line) {
-    auto text = line.substr(0, 80);
-    for (auto& c : text)
-        if (static_cast<unsigned char>(c) < ' ' || c == 127) c = ' ';
-    return text;
-}
-
-/// Of length one; large and tiny numbers neither overflow nor vanish on the way.
-Vec3 directionOf(const std::array<double, 6>& v) {
-    const double largest = std::max({std::abs(v[3]), std::abs(v[4]), std::abs(v[5])});
-    return Vec3(Vec3d(v[3] / largest, v[4] / largest, v[5] / largest).normalized());
-}
-
-Target targetOf(const std::array<double, 6>& v, const Scene& scene, const Options& o, std::uint64_t stream) {
-    const Vec3 position = scene.toRebased({v[0], v[1], v[2]});
-    const Vec3 direction = directionOf(v);
+Target targetOf(const RayLine& line, const Options& o, std::uint64_t stream) {
     Target t;
     t.radiance = o.radiance;
     t.stream = stream;
-    t.ray.origin = position, t.ray.direction = direction;
-    t.sensor.position = position, t.sensor.normal = direction;
+    t.ray.origin = line.position, t.ray.direction = line.direction;
+    t.sensor.position = line.position, t.sensor.normal = line.direction;
     t.sensor.kind = o.cylindrical ? SensorKind::Cylindrical : SensorKind::Planar;
     return t;
 }
@@ -92,11 +55,11 @@ public:
         std::vector<Target> targets;
         std::vector<Line> kinds;
         for (const auto& line : lines) {
-            std::array<double, 6> v{};
-            kinds.push_back(isBlank(line) ? Line::Blank : parse(line, v) ? Line::Good : Line::Bad);
-            if (kinds.back() == Line::Good) targets.push_back(targetOf(v, loaded_.project.scene, o_, lineNumber_));
-            if (kinds.back() == Line::Bad) complainOf(line);
+            const auto ray = parseRayLine(line, loaded_.project.scene);
+            kinds.push_back(isBlank(line) ? Line::Blank : ray ? Line::Good : Line::Bad);
+            if (kinds.back() == Line::Good) targets.push_back(targetOf(*ray, o_, lineNumber_));
             ++lineNumber_;
+            if (kinds.back() == Line::Bad) bad_ = true, complainOfRayLine(line, lineNumber_);
         }
         SamplingRun run(estimator_, loaded_.project.scene.weights, std::move(targets), context_.common.seed);
         sample(run);
@@ -111,12 +74,6 @@ public:
     [[nodiscard]] bool missedTarget() const { return missed_; }
 
 private:
-    void complainOf(const std::string& line) {
-        bad_ = true;
-        say(fmt::format("luxdeck: stdin:{}: \"{}\", expected six numbers: x y z (at most {:g} m) and dx dy dz (not all 0)\n",
-                        lineNumber_ + 1, shown(line), kFarthestM));
-    }
-
     void sample(SamplingRun& run) {
         ProgressState state;
         state.stage = "sensing";

@@ -1,6 +1,7 @@
 #include "engine/scene/scene.h"
 
 #include "engine/core/file.h"
+#include "engine/scene/content_parts.h"
 #include "engine/scene/duplicates.h"
 
 #include <fmt/format.h>
@@ -253,8 +254,8 @@ std::string sceneHash(const Scene& scene) {
     return in.hash();
 }
 
-std::vector<ScenePart> sceneParts(const Scene& scene) {
-    std::vector<ScenePart> parts;
+std::vector<ContentPart> contentParts(const Scene& scene) {
+    std::vector<ContentPart> parts;
     std::vector<HashInput> objects(scene.objects.size());
     std::vector<Box3> boxes(scene.objects.size());
     for (const auto& mesh : scene.meshes) {

@@ -53,13 +53,4 @@ Result<void> validate(Scene& scene);
 /// The content hash of everything that changes the light (not names, not warnings).
 std::string sceneHash(const Scene& scene);
 
-/// One thing of a scene that changes light: an object with its materials, a luminaire, the sky.
-struct ScenePart {
-    std::string name;  ///< "object desk 3"
-    std::string hash;  ///< of its content
-    Box3 bounds;       ///< re-based [m]; empty: everywhere
-};
-/// All of them, in the scene's order, so that what changed between two scenes can be named.
-std::vector<ScenePart> sceneParts(const Scene& scene);
-
 }  // namespace luxdeck

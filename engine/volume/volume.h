@@ -2,7 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/core/rgb.h"
-#include "engine/scene/scene.h"
+#include "engine/scene/content_parts.h"
 #include "engine/volume/directions.h"
 #include "engine/volume/lattice.h"
 
@@ -77,7 +77,7 @@ struct IrradianceVolume {
     VolumeSettings settings;
     std::string scene;                 // name
     std::string sceneHash;
-    std::vector<ScenePart> parts;      // of the scene: what changed since can be named
+    std::vector<ContentPart> parts;      // of the scene: what changed since can be named
     std::string algorithm;
     std::uint64_t seed = 1;
     double seconds = 0;                // of building, all sessions

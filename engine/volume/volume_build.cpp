@@ -235,9 +235,14 @@ private:
 Result<Box3> volumeBounds(const Scene& scene, const VolumeSettings& settings) {
     auto box = scene.bounds();
     if (box.isEmpty()) return Error{ErrorCode::InvalidArgument, "a volume needs a scene with an extent: this one holds nothing"};
+    const float size = std::max((box.max - box.min).length(), 1e-3F);
     for (int axis = 0; axis < 3; ++axis) {
         const float extent = box.max[axis] - box.min[axis];
-        if (!(extent > 0)) return Error{ErrorCode::InvalidArgument, fmt::format("a volume needs a scene with an extent: this one has none along {}", "xyz"[axis])};
+        if (extent < 1e-4F * size) {  // a floor alone, say: room for light on both sides
+            const float middle = 0.5F * (box.min[axis] + box.max[axis]);
+            box.min[axis] = middle - 0.05F * size, box.max[axis] = middle + 0.05F * size;
+            continue;
+        }
         const float inset = std::min(static_cast<float>(settings.insetM), 0.02F * extent);
         box.min[axis] += inset, box.max[axis] -= inset;
     }
@@ -252,7 +257,7 @@ Result<IrradianceVolume> buildVolume(const TransportScene& scene, const Radiance
     if (!lattice) return lattice.error();
     IrradianceVolume volume;
     volume.settings = settings;
-    volume.scene = scene.scene.name, volume.sceneHash = sceneHash(scene.scene), volume.parts = sceneParts(scene.scene);
+    volume.scene = scene.scene.name, volume.sceneHash = sceneHash(scene.scene), volume.parts = contentParts(scene.scene);
     volume.algorithm = options.algorithm, volume.seed = options.seed;
     volume.origin = scene.scene.origin, volume.weights = scene.scene.weights;
     volume.lattice = *std::move(lattice);

@@ -73,7 +73,7 @@ const std::vector<Library>& libraries() {
         {"toml++", std::regex("toml\\+\\+/.*|toml\\.hpp"), {"engine/io"}},
         {"assimp", std::regex("assimp/.*"), {"engine/io"}},
         {"tinygltf", std::regex("tiny_?gltf.*"), {"engine/io"}},
-        {"nlohmann json", std::regex("nlohmann/.*"), {"engine/io", "analysis", "cli", "tests"}},
+        {"nlohmann json", std::regex("nlohmann/.*"), {"engine/io", "engine/volume", "analysis", "cli", "tests"}},
         {"Embree", std::regex("embree.*"), {"engine/raycast", "tests/bench"}},
         {"LMDB", std::regex("lmdb.*"), {"engine/holodeck"}},
         {"MPI", std::regex("mpi\\.h"), {"engine/cluster"}},

@@ -1,0 +1,110 @@
+#include "cli/json_text.h"
+#include "cli/streams.h"
+#include "cli/volume_commands.h"
+#include "engine/algorithms/registry.h"
+#include "engine/volume/vertex_journal.h"
+#include "engine/volume/volume_build.h"
+#include "engine/volume/volume_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace luxdeck::cli {
+
+namespace {
+
+struct Options {
+    std::vector<std::string> scene;
+    std::string output;
+    std::vector<int> grid;
+    int secondLevel = 3, depth = 4, bins = 17;
+    double refine = 0;
+    bool thesis = false;
+    std::vector<std::string> ignored;
+    double ignoredCdM2 = 0;
+    Effort effort;
+};
+
+VolumeSettings settingsOf(const Options& o) {
+    VolumeSettings s;
+    if (!o.grid.empty()) s.firstLevel = {o.grid[0], o.grid[1], o.grid[2]};
+    s.secondLevel = o.secondLevel, s.refineBelow = o.refine, s.refineDepth = o.depth, s.side = o.bins;
+    s.ignored = o.ignored, s.ignoredCdM2 = static_cast<float>(o.ignoredCdM2);
+    if (o.thesis) s.sampling = BinSampling::Centres, s.sources = SourceSampling::InBins, s.samplesPerBin = 1;
+    if (o.effort.samples) s.samplesPerBin = *o.effort.samples;
+    return s;
+}
+
+std::string describe(const IrradianceVolume& v, const std::string& output, bool json, bool reached) {
+    const double error = 1.96 * v.relativeError();
+    const auto known = [](double x) { return std::isfinite(x) && x >= 0 ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr); };
+    if (json)
+        return jsonText({{"schema", "luxdeck-volume-build/1"}, {"output", output}, {"complete", v.complete}, {"seconds", v.seconds}, {"rays", v.rays},
+                         {"vertices", v.vertexCount()}, {"unusable", v.unusable()}, {"cells", v.lattice.cells().size()}, {"bins", v.binCount()},
+                         {"bytes", v.bytes()}, {"error95", known(error)}, {"interpolationError", known(v.interpolationError)}, {"targetReached", reached},
+                         {"algorithm", v.algorithm}, {"seed", v.seed}});
+    std::string text = fmt::format("{}: {} vertices ({} inside solids), {} bins, {:.1f} MB, {:.1f} s\n", output, v.vertexCount(), v.unusable(), v.binCount(),
+                                   static_cast<double>(v.bytes()) / 1e6, v.seconds);
+    text += std::isfinite(error) ? fmt::format("Irradiance at the vertices is known to ±{:.2g} % (95 %, rms)", 100 * error)
+                                 : std::string("The error at the vertices is not known from one sample of each bin");
+    if (v.interpolationError >= 0) text += fmt::format("; between them interpolation was {:.2g} % off (rms, where cells were divided)", 100 * v.interpolationError);
+    return text + (v.complete ? ".\n" : ". Incomplete: interrupted or out of time; the same command goes on where it stopped.\n");
+}
+
+Exit runBuild(const Options& o, Context& context) {
+    if (const auto possible = checkOutput(o.output); !possible) return complain(possible.error());
+    auto loaded = load(o.scene, context.common.quiet);
+    if (!loaded) return complain(loaded.error());
+    const auto& lit = (*loaded)->lit;
+    const auto settings = settingsOf(o);
+    const auto hash = sceneHash((*loaded)->project.scene);
+    auto algorithmSettings = o.effort.settings();
+    algorithmSettings.seed = context.common.seed, algorithmSettings.progress = &context.progress;
+    auto estimator = makeEstimator(o.effort.algorithm, lit.transport(), algorithmSettings);
+    if (!estimator) return complain(estimator.error());
+    auto journal = VertexJournal::open(o.output + ".part", buildIdentity(hash, o.effort.algorithm, context.common.seed, settings));
+    if (!journal) return complain(journal.error());
+    if ((*journal)->found() > 0 && !context.common.quiet) say(fmt::format("luxdeck: {} vertices are known from an earlier session\n", (*journal)->found()));
+    BuildOptions options;
+    options.algorithm = o.effort.algorithm, options.seed = context.common.seed;
+    options.targetError = o.effort.targetError.value_or(0), options.timeSeconds = o.effort.timeSeconds;
+    options.store = journal->get();
+    const auto volume = buildVolume(lit.transport(), **estimator, settings, options, context.progress);
+    if (!volume) return complain(volume.error());
+    if (const auto written = writeVolume(o.output, *volume); !written) return complain(written.error());
+    if (volume->complete) (*journal)->remove();
+    const bool reached = volume->complete && (options.targetError == 0 || 1.96 * volume->relativeError() <= options.targetError);
+    if (const auto told = writeOutput("-", describe(*volume, o.output, context.common.json, reached)); !told) return complain(told.error());
+    return context.progress.cancelled() ? Exit::Interrupted : reached ? Exit::Ok : Exit::NotReached;
+}
+
+}  // namespace
+
+Command addVolumeBuild(CLI::App& volume) {
+    const auto o = std::make_shared<Options>();
+    auto* app = volume.add_subcommand("build", "Build an irradiance volume: the light at any point in any direction, in a .vtu file that ParaView opens. "
+        "Interrupted or killed, the same command goes on where it stopped (what is finished lies in F.vtu.part)");
+    app->add_option("scene", o->scene, "project.toml or a scene file; several .rad and .mat files are one scene, in their order")->required()->type_name("PROJECT");
+    app->add_option("-o,--output", o->output, "The volume")->required()->check(namedAs(".vtu"))->type_name("F.vtu");
+    app->add_option("--grid", o->grid, "Vertices along x, y and z in the first level; 7 7 7 when not given")->expected(3)->check(CLI::Range(2, 1025))->type_name("X Y Z");
+    app->add_option("--second-level", o->secondLevel, "Vertices along each side of a cell that holds geometry; 1: it is not divided")
+        ->check(CLI::Range(1, 17))->capture_default_str();
+    app->add_option_function<std::string>("--refine", [o](const std::string& text) {
+        if (const auto wrong = parsePercent(text, o->refine); !wrong.empty()) throw CLI::ValidationError("--refine", wrong);
+    }, "Divide cells into eight instead, while their vertices differ by more than this in the illuminance along an axis: 20%")->type_name("P");
+    app->add_option("--depth", o->depth, "With --refine: at most that often")->check(CLI::Range(1, 8))->capture_default_str();
+    app->add_option("--bins", o->bins, "Directional bins along a hemisphere's side: 2 N^2 in all")->check(CLI::Range(2, 64))->capture_default_str();
+    app->add_flag("--thesis", o->thesis, "As Greger 1996 did it: one ray through the centre of each bin, sources met by chance. The baseline for comparisons");
+    app->add_option("--ignore", o->ignored, "Object whose light is left out where a ray meets it first: shows what it does to the flow of light")->type_name("OBJECT");
+    app->add_option("--ignored-luminance", o->ignoredCdM2, "Luminance that ignored objects have instead, in cd/m²")->check(CLI::Range(0.0, 1e9))->capture_default_str();
+    addEffort(*app, o->effort);
+    app->get_option("--samples")->description("Samples of each bin at each vertex; 4 when not given");
+    app->get_option("--target-error")->description("Double the samples until the irradiance at the vertices is known to this (95 %, rms): 2%, 0.02");
+    return {app, [o](Context& context) { return runBuild(*o, context); }};
+}
+
+}  // namespace luxdeck::cli
