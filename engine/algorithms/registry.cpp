@@ -4,6 +4,7 @@
 #include "engine/transport/direct/direct_estimator.h"
 #include "engine/transport/enclosure.h"
 #include "engine/transport/path/path_estimator.h"
+#include "engine/transport/radiosity/radiosity_estimator.h"
 #include "engine/transport/shared/shared_estimator.h"
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@ const std::vector<Algorithm>& algorithms() {
         {"direct", "light straight from luminaires and sky, no interreflection", false, makeDirectEstimator},
         {"ambient", "direct light and a constant ambient illuminance (--ambient LX, zero by default)", false,
          makeAmbientEstimator},
+        {"radiosity", "light between the elements of a mesh of the matte surfaces, seen by final gather", true, makeRadiosityEstimator, 0.01},
     };
     return all;
 }

@@ -19,6 +19,13 @@ struct FieldPoint {
     bool frontFace = true;     // the side of the mesh's own normal
 };
 
+/// What a path makes of a field's answer: the query's radiance grows by weight * lux.
+struct FieldLink {
+    FieldPoint point;
+    Rgb weight;                // [cd/m^2 for each lx]
+    std::uint32_t query = 0;   // index into the batch
+};
+
 /// Light on surfaces that was found before: what the cached algorithms (photon map, radiosity, irradiance cache,
 /// volume) know. Biased, as its card says. Immutable, safe to call from any number of threads.
 class IrradianceField {

@@ -448,6 +448,7 @@ void PathBatch<S>::takeFromField() {
     for (std::size_t i = 0; i < fieldPoints_.size(); ++i) {
         const auto& from = fromField_[i];
         add(from.query, from.reflections, kFromAmbient, from.weight * fromRgb<S>(fieldLux_[i]), from.diffuse);
+        if (settings_.links != nullptr) settings_.links->push_back({fieldPoints_[i], toRgb(from.weight), from.query});
     }
     fieldPoints_.clear();
     fromField_.clear();

@@ -37,6 +37,8 @@ struct TracerSettings {
     const IrradianceField* field = nullptr;      // not null: matte surfaces take their indirect light from it, and no
                                                  // path goes on from them but to see light straight
     int fieldAfter = 0;                          // reflections before the field is asked: 0 from the first surface on
+    std::vector<FieldLink>* links = nullptr;     // not null, with a field: where it was asked is appended, and what for; of
+                                                 // rejected samples too
     std::vector<SourceShare>* shares = nullptr;  // not null: what each light gave is appended to it; of radiance,
                                                  // `direct` being what was emitted
     std::span<FirstBounce> bounces;              // empty, or filled for each query
