@@ -6,19 +6,16 @@
 #include "engine/transport/tracer/path_batch.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace luxdeck {
 
 namespace {
 
-constexpr std::size_t kTask = 16;            // elements gathered in one batch
-constexpr std::size_t kBetweenReports = 64;  // tasks
-/// Samples from one point of an element: lights are weighed once for all of them.
-constexpr std::uint32_t kFromOnePoint = 8;
-/// A group with less light for its area than this part of the brightest's is dark: where surfaces meet, one path in
-/// a million starts beyond the edge and finds light that does not belong there.
-constexpr double kDark = 1e-7;
+constexpr std::size_t kBetweenReports = 512;  // elements
+/// Samples from one place: lights are weighed once for all of them.
+constexpr std::uint32_t kFromOnePlace = 8;
+constexpr std::uint32_t kLookPlaces = 3;
+constexpr std::uint32_t kLookSamples = kLookPlaces * kFromOnePlace;
 
 /// All indirect light is left to the links.
 class DarkField final : public IrradianceField {
@@ -26,55 +23,108 @@ public:
     void indirect(std::span<const FieldPoint>, std::span<Rgb> lux) const override { std::fill(lux.begin(), lux.end(), Rgb{}); }
 };
 
-SensorQuery sensorOn(const SurfaceElements& elements, std::uint32_t element, std::uint64_t seed, std::uint32_t sample) {
-    SamplePath places(streamSeed(seed, element, 1), sample / kFromOnePoint);
-    const auto at = elements.place(element, places.next2D());
-    return {at.position, at.shadingNormal, SensorKind::Planar, SamplePath(streamSeed(seed, element, 2), sample)};
-}
-
 }  // namespace
 
-Result<void> LinkGatherer::gather(std::span<const std::uint32_t> asked, std::uint32_t first, std::uint32_t count) {
+/// Sensors of one element, what they found and where their paths ended.
+struct LinkGatherer::Batch {
+    std::vector<SensorSample> samples;
+    std::vector<FieldLink> links;  // of good samples, in their order
+};
+
+LinkGatherer::Batch LinkGatherer::trace(std::vector<SensorQuery> queries) const {
+    Batch batch;
+    batch.samples.resize(queries.size());
+    const DarkField dark;
+    TracerSettings tracer;
+    tracer.maxVertices = settings_.maxVertices, tracer.field = &dark, tracer.links = &batch.links;
+    gatherIlluminance(scene_, tracer, queries, batch.samples);
+    std::erase_if(batch.links, [&](const FieldLink& link) { return batch.samples[link.query].failure != RayFailure::None; });
+    std::stable_sort(batch.links.begin(), batch.links.end(), [](const FieldLink& a, const FieldLink& b) { return a.query < b.query; });
+    return batch;
+}
+
+template <class Work>
+Result<void> LinkGatherer::inBatches(std::size_t count, const char* stage, const Work& work) const {
     const auto* progress = settings_.progress;
-    const std::size_t tasks = (asked.size() + kTask - 1) / kTask;
-    for (std::size_t done = 0; done < tasks; done += kBetweenReports) {
-        parallelFor(std::min(kBetweenReports, tasks - done), [&](std::size_t i) {
-            if (progress != nullptr && progress->cancelled()) return;
-            const std::size_t begin = (done + i) * kTask;
-            gatherElements(asked.subspan(begin, std::min(kTask, asked.size() - begin)), first, count);
+    for (std::size_t done = 0; done < count; done += kBetweenReports) {
+        parallelFor(std::min(kBetweenReports, count - done), [&](std::size_t i) {
+            if (progress == nullptr || !progress->cancelled()) work(static_cast<std::uint32_t>(done + i));
         });
         if (progress == nullptr) continue;
         if (progress->cancelled()) return Error{ErrorCode::Cancelled, "cancelled while radiosity was prepared"};
         ProgressState state;
-        state.stage = "linking surfaces", state.fraction = static_cast<double>(done) / static_cast<double>(tasks);
+        state.stage = stage, state.fraction = static_cast<double>(done) / static_cast<double>(count);
         progress->report(state);
     }
     return {};
 }
 
-void LinkGatherer::gatherElements(std::span<const std::uint32_t> asked, std::uint32_t first, std::uint32_t count) {
-    std::vector<SensorQuery> queries;
-    queries.reserve(asked.size() * count);
-    for (const auto element : asked)
-        for (std::uint32_t i = 0; i < count; ++i) queries.push_back(sensorOn(elements_, element, settings_.seed, first + i));
-    std::vector<SensorSample> samples(queries.size());
-    std::vector<FieldLink> links;
-    const DarkField dark;
-    TracerSettings tracer;
-    tracer.maxVertices = settings_.maxVertices, tracer.field = &dark, tracer.links = &links;
-    gatherIlluminance(scene_, tracer, queries, samples);
+Result<std::vector<ElementLook>> LinkGatherer::look() {
+    std::vector<ElementLook> looks(elements_.size());
+    std::vector<std::vector<FieldPoint>> met(elements_.size());
+    const auto ok = inBatches(elements_.size(), "looking for light", [&](std::uint32_t e) { lookAt(e, looks[e], met[e]); });
+    if (!ok) return ok.error();
+    for (const auto& points : met)
+        for (const auto& p : points) {
+            const auto element = elements_.at(p.mesh, p.triangle, p.u, p.v, p.frontFace);
+            if (element != SurfaceElements::kNone) looks[element].places.push_back({p.position, p.normal});
+        }
+    return looks;
+}
 
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        auto& light = lights_[asked[i / count]];
-        if (samples[i].failure != RayFailure::None) ++light.rejected;
-        else ++light.samples, light.straight += samples[i].direct, light.reflected += samples[i].indirect;
+void LinkGatherer::lookAt(std::uint32_t element, ElementLook& look, std::vector<FieldPoint>& met) const {
+    std::vector<SensorQuery> queries;
+    for (std::uint32_t i = 0; i < kLookSamples; ++i) {
+        SamplePath places(streamSeed(settings_.seed, element, 1), i / kFromOnePlace);
+        const auto at = elements_.place(element, places.next2D());
+        queries.push_back({at.position, at.shadingNormal, SensorKind::Planar, SamplePath(streamSeed(settings_.seed, element, 2), i)});
     }
-    // By query, since the tracer drops what ended: links of one element are then in the order of its samples.
-    std::stable_sort(links.begin(), links.end(), [](const FieldLink& a, const FieldLink& b) { return a.query < b.query; });
-    for (const auto& link : links) {
-        if (samples[link.query].failure != RayFailure::None) continue;
+    const auto batch = trace(std::move(queries));
+    std::array<bool, kLookPlaces> lit{};
+    std::uint32_t good = 0;
+    for (std::uint32_t i = 0; i < kLookSamples; ++i) {
+        const auto& sample = batch.samples[i];
+        if (sample.failure != RayFailure::None) continue;
+        ++good, look.straight += sample.direct;
+        if (!sample.total().isBlack()) lit[i / kFromOnePlace] = true;
+    }
+    if (good > 0) look.straight *= 1 / static_cast<float>(good);
+    look.open = static_cast<float>(std::count(lit.begin(), lit.end(), true)) / kLookPlaces;
+    for (const auto& link : batch.links)
+        if (lit[link.query / kFromOnePlace]) met.push_back(link.point);
+}
+
+Result<std::vector<ElementLight>> LinkGatherer::gather(std::span<const ElementLook> looks, std::uint32_t samples) {
+    std::vector<ElementLight> lights(elements_.size());
+    const auto ok = inBatches(elements_.size(), "linking surfaces", [&](std::uint32_t e) {
+        if (looks[e].open > 0 || !looks[e].places.empty()) gatherAt(e, looks[e], samples, lights[e]);
+    });
+    if (!ok) return ok.error();
+    return lights;
+}
+
+void LinkGatherer::gatherAt(std::uint32_t element, const ElementLook& look, std::uint32_t count, ElementLight& light) const {
+    std::vector<SensorQuery> queries;
+    const std::uint32_t wanted = (count + kFromOnePlace - 1) / kFromOnePlace;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t which = i / kFromOnePlace;
+        ElementPlace place;
+        if (!look.places.empty()) {  // evenly over what there is, again from the first when more are wanted
+            const std::size_t n = look.places.size();
+            place = look.places[n > wanted ? which * n / wanted : which % n];
+        } else {
+            const auto at = elements_.place(element, SamplePath(streamSeed(settings_.seed, element, 1), which).next2D());
+            place = {at.position, at.shadingNormal};
+        }
+        queries.push_back({place.position, place.normal, SensorKind::Planar, SamplePath(streamSeed(settings_.seed, element, 3), i)});
+    }
+    const auto batch = trace(std::move(queries));
+    for (const auto& sample : batch.samples) {
+        if (sample.failure != RayFailure::None) ++light.rejected;
+        else ++light.samples, light.straight += sample.direct, light.reflected += sample.indirect;
+    }
+    for (const auto& link : batch.links) {
         const auto& p = link.point;
-        auto& light = lights_[asked[link.query / count]];
         const auto to = elements_.at(p.mesh, p.triangle, p.u, p.v, p.frontFace);
         if (to == SurfaceElements::kNone) continue;
         ++light.linked;
@@ -82,30 +132,23 @@ void LinkGatherer::gatherElements(std::span<const std::uint32_t> asked, std::uin
     }
 }
 
-std::vector<std::uint32_t> LinkGatherer::lit() const {
-    ElementGroups groups(lights_.size());
-    for (std::uint32_t e = 0; e < lights_.size(); ++e)
-        for (const auto& link : lights_[e].links) groups.join(e, link.to);
-    std::vector<double> light(lights_.size()), area(lights_.size());
-    for (std::uint32_t e = 0; e < lights_.size(); ++e) {
-        const auto& own = lights_[e];
-        const double m2 = elements_.areaM2(e);
+void dropStrayLight(const SurfaceElements& elements, std::span<ElementLight> lights) {
+    ElementGroups groups(lights.size());
+    for (std::uint32_t e = 0; e < lights.size(); ++e)
+        for (const auto& link : lights[e].links) groups.join(e, link.to);
+    std::vector<double> light(lights.size()), area(lights.size());
+    for (std::uint32_t e = 0; e < lights.size(); ++e) {
+        const double m2 = elements.areaM2(e);
         area[groups.of(e)] += m2;
-        if (own.samples > 0) light[groups.of(e)] += m2 * double{own.mean(own.straight + own.reflected).max()};
+        if (lights[e].samples > 0) light[groups.of(e)] += m2 * double{lights[e].mean(lights[e].straight + lights[e].reflected).max()};
     }
     double most = 0;
-    for (std::uint32_t e = 0; e < lights_.size(); ++e)
+    for (std::uint32_t e = 0; e < lights.size(); ++e)
         if (light[e] > 0) most = std::max(most, light[e] / area[e]);
-    std::vector<std::uint32_t> out;
-    for (std::uint32_t e = 0; e < lights_.size(); ++e)
-        if (light[groups.of(e)] > kDark * most * area[groups.of(e)] || lights_[e].rejected > 0) out.push_back(e);
-    return out;
-}
-
-void LinkGatherer::forgetAllBut(std::span<const std::uint32_t> kept) {
-    std::vector<ElementLight> lights(lights_.size());
-    for (const auto e : kept) lights[e] = std::move(lights_[e]);
-    lights_ = std::move(lights);
+    for (std::uint32_t e = 0; e < lights.size(); ++e) {
+        const auto group = groups.of(e);
+        if (light[group] <= kDark * most * area[group]) lights[e].straight = lights[e].reflected = Rgb{};
+    }
 }
 
 }  // namespace luxdeck

@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace luxdeck {
@@ -17,7 +16,6 @@ namespace {
 
 constexpr double kPieces = 4096;         // at effort 1
 constexpr double kLinksEach = 96;        // of an element at effort 1
-constexpr std::uint32_t kFirstLook = 16; // samples that tell whether an element has light at all
 constexpr double kMostLinks = 1e8;       // 1.6 GB
 constexpr int kPlaces = 4;               // of an element at which its reflectance is asked
 
@@ -53,58 +51,69 @@ std::vector<std::vector<ElementLink>> takeLinks(std::vector<ElementLight>& light
     return rows;
 }
 
-RadiosityBalance balanceOf(const TransportScene& scene, const SurfaceElements& elements, std::span<const ElementLight> lights,
-                           std::span<const Rgb> lux) {
+RadiosityBalance balanceOf(const TransportScene& scene, const SurfaceElements& elements, std::span<const ElementLook> looks,
+                           std::span<const ElementLight> lights, std::span<const Rgb> lux) {
     RadiosityBalance balance;
     for (std::uint32_t e = 0; e < lights.size(); ++e) {
         const auto& light = lights[e];
         if (light.samples == 0) continue;
-        const Rgb straight = light.mean(light.straight), arrived = straight + lux[e];
-        const Rgb reflected = arrived * reflectance(scene, elements, e);
+        const Rgb arrived = looks[e].straight + lux[e] * looks[e].open, reflected = arrived * reflectance(scene, elements, e);
         const double area = elements.areaM2(e), met = static_cast<double>(light.linked) / light.samples;
         const auto lumens = [&](const Rgb& c) { return area * double{luminance(c, scene.scene.weights)}; };
-        balance.straight += lumens(straight);
+        balance.straight += lumens(looks[e].straight);
         balance.absorbed += lumens(arrived - reflected);
         balance.lost += lumens(reflected) * (1 - met);
     }
     return balance;
 }
 
+/// What an effort asks for.
+struct Plan {
+    std::size_t pieces;
+    std::uint32_t samples;  // of each element
+};
+Result<Plan> planFor(double effort) {
+    if (!(effort >= 1e-3 && effort <= 1e3)) return Error{ErrorCode::InvalidArgument, fmt::format("effort is {}, expected 0.001 .. 1000", effort)};
+    const double finer = std::sqrt(effort), pieces = std::ceil(kPieces * finer), samples = std::ceil(kLinksEach * finer);
+    if (2 * pieces * samples > kMostLinks)
+        return Error{ErrorCode::OutOfResources, fmt::format("an effort of {} takes {:.3g} links between surfaces, expected at most {:.3g}: {} GB",
+                                                            effort, 2 * pieces * samples, kMostLinks, 16e-9 * kMostLinks)};
+    return Plan{static_cast<std::size_t>(pieces), static_cast<std::uint32_t>(samples)};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<RadiosityField>> RadiosityField::create(const TransportScene& scene, const AlgorithmSettings& settings) {
-    const double finer = std::sqrt(settings.effort);
-    const double pieces = std::ceil(kPieces * finer), linksEach = std::ceil(kLinksEach * finer);
-    if (2 * pieces * linksEach > kMostLinks)
-        return Error{ErrorCode::OutOfResources, fmt::format("an effort of {} takes {:.3g} links between surfaces, expected at most {:.3g}: {} GB",
-                                                            settings.effort, 2 * pieces * linksEach, kMostLinks, 16e-9 * kMostLinks)};
-    std::unique_ptr<RadiosityField> field(new RadiosityField(SurfaceElements(scene.scene, scene.needs, static_cast<std::size_t>(pieces))));
-    const auto& elements = field->elements_;
-    LinkGatherer gatherer(scene, elements, settings);
-    std::vector<std::uint32_t> all(elements.size());
-    std::iota(all.begin(), all.end(), 0U);
-    if (auto ok = gatherer.gather(all, 0, kFirstLook); !ok) return ok.error();
-    const auto lit = gatherer.lit();
-    gatherer.forgetAllBut(lit);
-    const auto each = static_cast<std::uint32_t>(linksEach);
-    if (each > kFirstLook)
-        if (auto ok = gatherer.gather(lit, kFirstLook, each - kFirstLook); !ok) return ok.error();
-
-    auto& lights = gatherer.lights();
-    const auto constant = takeMeans(lights);
-    std::vector<float> areas(elements.size());
-    for (std::size_t e = 0; e < areas.size(); ++e) areas[e] = elements.areaM2(e);
-    field->lux_.resize(elements.size());
-    const double left = LinkMatrix(takeLinks(lights)).solve(constant, areas, field->lux_);
-    if (!(left <= LinkMatrix::kEnough))
-        return Error{ErrorCode::Internal, fmt::format("radiosity does not converge: {:.2g} of the light is left, expected {:.2g}", left, LinkMatrix::kEnough)};
-    field->balance_ = balanceOf(scene, elements, lights, field->lux_);
-    for (std::size_t e = 0; e < lights.size(); ++e) {
-        field->rejected_ += lights[e].rejected;
-        field->balance_.remaining += left * areas[e] * double{luminance(field->lux_[e], scene.scene.weights)};
-        if (lights[e].samples == 0 && lights[e].rejected > 0) field->lux_[e] = Rgb(std::numeric_limits<float>::quiet_NaN());
+    const auto plan = planFor(settings.effort);
+    if (!plan) return plan.error();
+    std::unique_ptr<RadiosityField> field(new RadiosityField(SurfaceElements(scene.scene, scene.needs, plan->pieces)));
+    LinkGatherer gatherer(scene, field->elements_, settings);
+    const auto looks = gatherer.look();
+    if (!looks) return looks.error();
+    auto lights = gatherer.gather(*looks, plan->samples);
+    if (!lights) return lights.error();
+    dropStrayLight(field->elements_, *lights);
+    if (auto ok = field->solve(*lights); !ok) return ok.error();
+    const double remaining = field->balance_.remaining;
+    field->balance_ = balanceOf(scene, field->elements_, *looks, *lights, field->lux_);
+    field->balance_.remaining = remaining;
+    for (std::size_t e = 0; e < lights->size(); ++e) {
+        field->rejected_ += (*lights)[e].rejected;
+        if ((*lights)[e].samples == 0 && (*lights)[e].rejected > 0) field->lux_[e] = Rgb(std::numeric_limits<float>::quiet_NaN());
     }
     return field;
+}
+
+Result<void> RadiosityField::solve(std::vector<ElementLight>& lights) {
+    const auto constant = takeMeans(lights);
+    std::vector<float> areas(elements_.size());
+    for (std::size_t e = 0; e < areas.size(); ++e) areas[e] = elements_.areaM2(e);
+    lux_.resize(elements_.size());
+    const double left = LinkMatrix(takeLinks(lights)).solve(constant, areas, lux_);
+    if (!(left <= LinkMatrix::kEnough))
+        return Error{ErrorCode::Internal, fmt::format("radiosity does not converge: {:.2g} of the light is left, expected {:.2g}", left, LinkMatrix::kEnough)};
+    for (std::size_t e = 0; e < areas.size(); ++e) balance_.remaining += left * double{areas[e]} * double{lux_[e].max()};
+    return {};
 }
 
 void RadiosityField::indirect(std::span<const FieldPoint> points, std::span<Rgb> lux) const {

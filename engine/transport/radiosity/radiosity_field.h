@@ -2,6 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/transport/radiance_estimator.h"
+#include "engine/transport/radiosity/element_links.h"
 #include "engine/transport/radiosity/surface_elements.h"
 #include "engine/transport/tracer/irradiance_field.h"
 
@@ -39,6 +40,8 @@ public:
 
 private:
     explicit RadiosityField(SurfaceElements elements) : elements_(std::move(elements)) {}
+
+    Result<void> solve(std::vector<ElementLight>& lights);
 
     SurfaceElements elements_;
     std::vector<Rgb> lux_;   // by element; NaN: nothing is known
