@@ -21,6 +21,7 @@ struct Options {
     std::vector<std::string> scene;
     std::string output;
     std::vector<int> grid;
+    std::vector<double> bounds;
     int secondLevel = 3, depth = 4, bins = 17;
     double refine = 0;
     bool thesis = false;
@@ -29,8 +30,10 @@ struct Options {
     Effort effort;
 };
 
-VolumeSettings settingsOf(const Options& o) {
+VolumeSettings settingsOf(const Options& o, const Scene& scene) {
     VolumeSettings s;
+    const auto& b = o.bounds;
+    if (!b.empty()) s.bounds = Box3(scene.toRebased({b[0], b[1], b[2]}), scene.toRebased({b[3], b[4], b[5]}));
     if (!o.grid.empty()) s.firstLevel = {o.grid[0], o.grid[1], o.grid[2]};
     s.secondLevel = o.secondLevel, s.refineBelow = o.refine, s.refineDepth = o.depth, s.side = o.bins;
     s.ignored = o.ignored, s.ignoredCdM2 = static_cast<float>(o.ignoredCdM2);
@@ -60,7 +63,7 @@ Exit runBuild(const Options& o, Context& context) {
     auto loaded = load(o.scene, context.common.quiet);
     if (!loaded) return complain(loaded.error());
     const auto& lit = (*loaded)->lit;
-    const auto settings = settingsOf(o);
+    const auto settings = settingsOf(o, (*loaded)->project.scene);
     const auto hash = sceneHash((*loaded)->project.scene);
     auto algorithmSettings = o.effort.settings();
     algorithmSettings.seed = context.common.seed, algorithmSettings.progress = &context.progress;
@@ -91,6 +94,8 @@ Command addVolumeBuild(CLI::App& volume) {
     app->add_option("scene", o->scene, "project.toml or a scene file; several .rad and .mat files are one scene, in their order")->required()->type_name("PROJECT");
     app->add_option("-o,--output", o->output, "The volume")->required()->check(namedAs(".vtu"))->type_name("F.vtu");
     app->add_option("--grid", o->grid, "Vertices along x, y and z in the first level; 7 7 7 when not given")->expected(3)->check(CLI::Range(2, 1025))->type_name("X Y Z");
+    app->add_option("--bounds", o->bounds, "Lower and upper corner of the first level in m; the scene's, drawn in by 2 cm, when not given")
+        ->expected(6)->type_name("X0 Y0 Z0 X1 Y1 Z1");
     app->add_option("--second-level", o->secondLevel, "Vertices along each side of a cell that holds geometry; 1: it is not divided")
         ->check(CLI::Range(1, 17))->capture_default_str();
     app->add_option_function<std::string>("--refine", [o](const std::string& text) {

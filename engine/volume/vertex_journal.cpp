@@ -30,7 +30,7 @@ Key keyOf(const Vec3& p) {
 /// Fixed part of a record, before its bins and rays. Plain values without gaps.
 struct RecordHead {
     Key place{};
-    std::uint32_t samples = 0, rejected = 0, bins = 0, rays = 0;
+    std::uint32_t samples = 0, rejected = 0, inside = 0, bins = 0, rays = 0;
     std::array<float, 6> lux{}, spread{};
     float backFaces = 0, nearestM = 0;
 };
@@ -42,7 +42,7 @@ void put(std::string& out, const T* values, std::size_t count) {
 
 std::string recordOf(const Vec3& position, const VertexState& state) {
     const auto& q = state.quality;
-    const RecordHead head{keyOf(position), q.samples, q.rejected, static_cast<std::uint32_t>(state.direct.size()), static_cast<std::uint32_t>(state.sources.size()),
+    const RecordHead head{keyOf(position), q.samples, q.rejected, q.inside ? 1U : 0U, static_cast<std::uint32_t>(state.direct.size()), static_cast<std::uint32_t>(state.sources.size()),
                           q.lux, q.spread, q.backFaces, q.nearestM};
     std::string body;
     put(body, &head, 1);
@@ -76,7 +76,7 @@ VertexState stateOf(const std::string& body) {
         get(row.data(), sizeof row);
         state.sources.push_back({{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, row[6] != 0});
     }
-    state.quality = {head.samples, head.lux, head.spread, head.backFaces, head.nearestM, head.rejected};
+    state.quality = {head.samples, head.lux, head.spread, head.backFaces, head.nearestM, head.rejected, head.inside != 0};
     return state;
 }
 
@@ -90,7 +90,7 @@ Error diskError(const std::filesystem::path& path, int code) {
 std::string buildIdentity(const std::string& sceneHash, const std::string& algorithm, std::uint64_t seed, const VolumeSettings& settings) {
     auto comparable = settings;
     comparable.firstLevel = {0, 0, 0};  // places tell vertices apart: another lattice may use what there is of them
-    comparable.secondLevel = comparable.refineDepth = 0, comparable.refineBelow = comparable.insetM = 0;
+    comparable.secondLevel = comparable.refineDepth = 0, comparable.refineBelow = comparable.insetM = 0, comparable.bounds = {};
     return fmt::format("scene {} algorithm {} seed {} {}", sceneHash, algorithm, seed, settingsText(comparable));
 }
 

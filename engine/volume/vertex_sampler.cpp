@@ -200,8 +200,10 @@ void VertexSampler::sample(const Vec3& position, std::uint32_t samples, VertexSt
         }
         enter(round, state);
     }
-    // Light inside a solid of glass is not the light around it: nothing may be interpolated from there.
-    if (scene_.needs.dielectrics && !mediaAt(scene_, position, counters).inAir()) state.quality.backFaces = 1;
+    // Seen from behind alone is no proof: walls without thickness have backs as well. Inside a closed solid it is dark, too.
+    constexpr float kAlmostAll = 0.9F;
+    const bool inGlass = scene_.needs.dielectrics && !mediaAt(scene_, position, counters).inAir();
+    state.quality.inside = inGlass || (state.quality.backFaces > kAlmostAll && state.quality.meanLux() == 0);
 }
 
 }  // namespace luxdeck

@@ -36,6 +36,7 @@ struct VolumeSettings {
     double refineBelow = 0;                  // more than 0: cells are divided into eight instead, while their vertices differ by
                                              // more than this part in the irradiance along an axis
     int refineDepth = 4;                     // at most that often
+    Box3 bounds;                             // of the first level [m], re-based; empty: the scene's, drawn in by:
     double insetM = 0.02;                    // of the first level inside the scene's bounds [m], at most 2 % of its extent
     int side = 17;                           // directional bins: 2 side^2
     BinSampling sampling = BinSampling::Spread;
@@ -61,9 +62,10 @@ struct VertexQuality {
     float backFaces = 0;                 // part of the rays that met a surface from behind
     float nearestM = 0;                  // to the nearest surface met
     std::uint32_t rejected = 0;          // samples that were not finite or negative, left out
+    bool inside = false;                 // a solid: what is around is seen from behind, and dark; or the solid is of glass
 
     /// Inside a solid, or nothing of it is known: not to be interpolated from.
-    [[nodiscard]] bool usable() const { return samples > 0 && backFaces < 0.25F; }
+    [[nodiscard]] bool usable() const { return samples > 0 && !inside; }
     /// Standard error of an irradiance, rms over the six directions [lx]; infinite from one sample.
     [[nodiscard]] double standardError() const;
     [[nodiscard]] double meanLux() const;

@@ -233,6 +233,7 @@ private:
 }  // namespace
 
 Result<Box3> volumeBounds(const Scene& scene, const VolumeSettings& settings) {
+    if (!settings.bounds.isEmpty()) return settings.bounds;
     auto box = scene.bounds();
     if (box.isEmpty()) return Error{ErrorCode::InvalidArgument, "a volume needs a scene with an extent: this one holds nothing"};
     const float size = std::max((box.max - box.min).length(), 1e-3F);

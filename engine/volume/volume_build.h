@@ -38,7 +38,7 @@ struct BuildOptions {
 Result<IrradianceVolume> buildVolume(const TransportScene& scene, const RadianceEstimator& estimator, const VolumeSettings& settings,
                                      const BuildOptions& options, const Progress& progress);
 
-/// Bounds of a volume: those of the scene drawn in by the inset.
+/// Bounds of a volume: those asked for, or those of the scene drawn in by the inset.
 ///
 /// errors  InvalidArgument: nothing has an extent
 Result<Box3> volumeBounds(const Scene& scene, const VolumeSettings& settings);

@@ -89,19 +89,19 @@ std::string pointData(const IrradianceVolume& v, Arrays& arrays) {
     std::vector<float> mean, error;
     std::vector<std::uint8_t> usable;
     std::vector<StatisticsRow> statistics;
-    std::vector<std::array<std::uint32_t, 2>> samples;
+    std::vector<std::array<std::uint32_t, 3>> samples;
     for (const auto& q : v.quality) {
         lux.push_back(q.lux), mean.push_back(static_cast<float>(q.meanLux()));
         error.push_back(static_cast<float>(1.96 * q.standardError()));
         usable.push_back(q.usable() ? 1 : 0);
         statistics.push_back({q.lux, q.spread, q.backFaces, q.nearestM});
-        samples.push_back({q.samples, q.rejected});
+        samples.push_back({q.samples, q.rejected, q.inside ? 1U : 0U});
     }
     const std::size_t bins = v.binCount();
     return "<PointData Scalars=\"mean illuminance [lx]\">\n" + arrays.add("Float32", "mean illuminance [lx]", 1, mean) +
            arrays.add("Float32", "illuminance facing +x -x +y -y +z -z [lx]", 6, lux) + arrays.add("Float32", "ci95 [lx]", 1, error) +
            arrays.add("UInt8", "usable", 1, usable) + arrays.add("Float32", "statistics", 14, statistics) +
-           arrays.add("UInt32", "samples", 2, samples) + arrays.add("Float32", "direct radiance [cd/m2]", 3 * bins, v.direct) +
+           arrays.add("UInt32", "samples, rejected, inside", 3, samples) + arrays.add("Float32", "direct radiance [cd/m2]", 3 * bins, v.direct) +
            arrays.add("Float32", "indirect radiance [cd/m2]", 3 * bins, v.indirect) + "</PointData>\n";
 }
 
@@ -229,13 +229,13 @@ private:
     Result<void> readVertices(IrradianceVolume& volume) {
         const std::size_t count = volume.vertexCount(), bins = volume.binCount();
         std::vector<StatisticsRow> statistics;
-        std::vector<std::array<std::uint32_t, 2>> samples;
+        std::vector<std::array<std::uint32_t, 3>> samples;
         if (const auto done = takeInto(statistics, "statistics", "Float32", 14, count); !done) return done;
-        if (const auto done = takeInto(samples, "samples", "UInt32", 2, count); !done) return done;
+        if (const auto done = takeInto(samples, "samples, rejected, inside", "UInt32", 3, count); !done) return done;
         volume.quality.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
             const auto& s = statistics[i];
-            volume.quality[i] = {samples[i][0], s.lux, s.spread, s.backFaces, s.nearestM, samples[i][1]};
+            volume.quality[i] = {samples[i][0], s.lux, s.spread, s.backFaces, s.nearestM, samples[i][1], samples[i][2] != 0};
         }
         if (const auto done = takeInto(volume.direct, "direct radiance [cd/m2]", "Float32", 3 * bins, count * bins); !done) return done;
         return takeInto(volume.indirect, "indirect radiance [cd/m2]", "Float32", 3 * bins, count * bins);

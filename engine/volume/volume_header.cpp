@@ -25,7 +25,7 @@ Json boxJson(const Box3& box) { return box.isEmpty() ? Json(nullptr) : Json{{"mi
 
 Json settingsJson(const VolumeSettings& s) {
     return {{"firstLevel", s.firstLevel}, {"secondLevel", s.secondLevel}, {"refineBelow", s.refineBelow}, {"refineDepth", s.refineDepth},
-            {"insetM", s.insetM}, {"side", s.side}, {"sampling", s.sampling == BinSampling::Centres ? "centres" : "spread"},
+            {"bounds", boxJson(s.bounds)}, {"insetM", s.insetM}, {"side", s.side}, {"sampling", s.sampling == BinSampling::Centres ? "centres" : "spread"},
             {"sources", s.sources == SourceSampling::InBins ? "bins" : "sought"}, {"samplesPerBin", s.samplesPerBin},
             {"lightSamples", s.lightSamples}, {"ignored", s.ignored}, {"ignoredCdM2", s.ignoredCdM2}};
 }
@@ -38,7 +38,7 @@ VolumeSettings settingsOf(const Json& j) {
     VolumeSettings s;
     s.firstLevel = j.at("firstLevel").get<std::array<int, 3>>();
     s.secondLevel = j.at("secondLevel"), s.refineBelow = j.at("refineBelow"), s.refineDepth = j.at("refineDepth");
-    s.insetM = j.at("insetM"), s.side = j.at("side");
+    s.bounds = boxOf(j.at("bounds")), s.insetM = j.at("insetM"), s.side = j.at("side");
     s.sampling = j.at("sampling") == "centres" ? BinSampling::Centres : BinSampling::Spread;
     s.sources = j.at("sources") == "bins" ? SourceSampling::InBins : SourceSampling::Sought;
     s.samplesPerBin = j.at("samplesPerBin"), s.lightSamples = j.at("lightSamples");
