@@ -46,8 +46,9 @@ std::string manPage(const CLI::App& program) {
                                    kVersion, escaped(program.get_description()), options(program));
     page += ".SH COMMANDS\n";
     for (const auto* command : program.get_subcommands(kAll)) {
-        page += section(command->get_name(), *command);
-        for (const auto* sub : command->get_subcommands(kAll)) page += section(command->get_name() + " " + sub->get_name(), *sub);
+        const auto subs = command->get_subcommands(kAll);
+        if (subs.empty()) page += section(command->get_name(), *command);
+        for (const auto* sub : subs) page += section(command->get_name() + " " + sub->get_name(), *sub);
     }
     page += fmt::format(".SH EXIT STATUS\n{}\n", escaped(program.get_footer()));
     return page;

@@ -5,6 +5,7 @@
 #include "engine/volume/vertex_journal.h"
 #include "engine/volume/volume_build.h"
 #include "engine/volume/volume_file.h"
+#include "engine/volume/volume_pictures.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +20,7 @@ namespace {
 
 struct Options {
     std::vector<std::string> scene;
-    std::string output;
+    std::string output, pictures;
     std::vector<int> grid;
     std::vector<double> bounds;
     int secondLevel = 3, depth = 4, bins = 17;
@@ -58,8 +59,21 @@ std::string describe(const IrradianceVolume& v, const std::string& output, bool 
     return text + (v.complete ? ".\n" : ". Incomplete: interrupted or out of time; the same command goes on where it stopped.\n");
 }
 
-Exit runBuild(const Options& o, Context& context) {
-    if (const auto possible = checkOutput(o.output); !possible) return complain(possible.error());
+Exit tell(const IrradianceVolume& volume, const Options& o, const Context& context, bool reached) {
+    const auto told = writeOutput("-", describe(volume, o.output, context.common.json, reached));
+    return told ? Exit::Ok : complain(told.error());
+}
+
+Exit buildFromPictures(const Options& o, Context& context) {
+    const auto nodes = readPanoramaNodes(o.pictures);
+    if (!nodes) return complain(nodes.error());
+    const auto volume = buildVolumeFromPictures(*nodes, o.bins, context.progress);
+    if (!volume) return complain(volume.error());
+    if (const auto written = writeVolume(o.output, *volume); !written) return complain(written.error());
+    return tell(*volume, o, context, true);
+}
+
+Exit buildFromScene(const Options& o, Context& context) {
     auto loaded = load(o.scene, context.common.quiet);
     if (!loaded) return complain(loaded.error());
     const auto& lit = (*loaded)->lit;
@@ -81,8 +95,17 @@ Exit runBuild(const Options& o, Context& context) {
     if (const auto written = writeVolume(o.output, *volume); !written) return complain(written.error());
     if (volume->complete) (*journal)->remove();
     const bool reached = volume->complete && (options.targetError == 0 || 1.96 * volume->relativeError() <= options.targetError);
-    if (const auto told = writeOutput("-", describe(*volume, o.output, context.common.json, reached)); !told) return complain(told.error());
+    if (const auto exit = tell(*volume, o, context, reached); exit != Exit::Ok) return exit;
     return context.progress.cancelled() ? Exit::Interrupted : reached ? Exit::Ok : Exit::NotReached;
+}
+
+Exit runBuild(const Options& o, Context& context) {
+    if (const auto possible = checkOutput(o.output); !possible) return complain(possible.error());
+    if (o.pictures.empty() == o.scene.empty()) {
+        say("luxdeck: a volume is built from a project or scene, or with --pictures from pictures: expected one of them\n");
+        return Exit::Usage;
+    }
+    return o.pictures.empty() ? buildFromScene(o, context) : buildFromPictures(o, context);
 }
 
 }  // namespace
@@ -91,7 +114,8 @@ Command addVolumeBuild(CLI::App& volume) {
     const auto o = std::make_shared<Options>();
     auto* app = volume.add_subcommand("build", "Build an irradiance volume: the light at any point in any direction, in a .vtu file that ParaView opens. "
         "Interrupted or killed, the same command goes on where it stopped (what is finished lies in F.vtu.part)");
-    app->add_option("scene", o->scene, "project.toml or a scene file; several .rad and .mat files are one scene, in their order")->required()->type_name("PROJECT");
+    app->add_option("scene", o->scene, "project.toml or a scene file; several .rad and .mat files are one scene, in their order")->type_name("PROJECT");
+    app->add_option("--pictures", o->pictures, "Build from panoramas instead: a TOML file of nodes, each with its position in m and an EXR or HDR by longitude and latitude")->type_name("FILE");
     app->add_option("-o,--output", o->output, "The volume")->required()->check(namedAs(".vtu"))->type_name("F.vtu");
     app->add_option("--grid", o->grid, "Vertices along x, y and z in the first level; 7 7 7 when not given")->expected(3)->check(CLI::Range(2, 1025))->type_name("X Y Z");
     app->add_option("--bounds", o->bounds, "Lower and upper corner of the first level in m; the scene's, drawn in by 2 cm, when not given")

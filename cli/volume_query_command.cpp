@@ -21,9 +21,8 @@ namespace {
 constexpr std::size_t kMostLines = 4096;
 
 struct Options {
-    std::vector<std::string> scene;
     std::string volume;
-    bool throughWalls = false;
+    std::vector<std::string> scene;
     FieldOptions field;
 };
 
@@ -75,14 +74,18 @@ private:
 };
 
 Exit runQuery(const Options& o, Context& context) {
-    auto loaded = load(o.scene, context.common.quiet);
-    if (!loaded) return complain(loaded.error());
     const auto volume = readVolume(o.volume);
     if (!volume) return complain(volume.error());
-    if (const auto fits = checkVolumeIsOf(*volume, (*loaded)->project.scene); !fits) return complain({fits.error().code, fits.error().message, o.volume});
+    std::unique_ptr<Loaded> loaded;
+    if (!o.scene.empty()) {
+        auto read = load(o.scene, context.common.quiet);
+        if (!read) return complain(read.error());
+        loaded = *std::move(read);
+        if (const auto fits = checkVolumeIsOf(*volume, loaded->project.scene); !fits) return complain({fits.error().code, fits.error().message, o.volume});
+    }
     const auto field = VolumeField::make(*volume, o.field.field());
     if (!field) return complain(field.error());
-    Query query(*field, o.throughWalls ? nullptr : &(*loaded)->lit.raycaster(), context.common.json);
+    Query query(*field, loaded ? &loaded->lit.raycaster() : nullptr, context.common.json);
     LineReader reader(0, context.progress);
     std::vector<std::string> lines;
     while (reader.next(lines, kMostLines) && !context.progress.cancelled())
@@ -121,10 +124,9 @@ void addFieldOptions(CLI::App& app, FieldOptions& o) {
 Command addVolumeQuery(CLI::App& volume) {
     const auto o = std::make_shared<Options>();
     auto* app = volume.add_subcommand("query", "Light from a volume: reads `x y z dx dy dz` a line (m; a surface facing dx dy dz), answers `R G B Y` a line in lx. "
-        "Points behind a wall take nothing from vertices before it. A line that is not six numbers is answered by nan (exit status 3 at the end)");
-    app->add_option("scene", o->scene, "The project or scene that the volume is of")->required()->type_name("PROJECT");
-    app->add_option("--volume", o->volume, "The volume")->required()->type_name("F.vtu");
-    app->add_flag("--through-walls", o->throughWalls, "Plain trilinear interpolation, which knows of no walls (the thesis' way)");
+        "A line that is not six numbers is answered by nan (exit status 3 at the end). Without --scene interpolation knows of no walls (the thesis' way)");
+    app->add_option("volume", o->volume, "The volume")->required()->type_name("F.vtu");
+    app->add_option("--scene", o->scene, "The project or scene that the volume is of: points take nothing from vertices that a wall hides from them")->type_name("PROJECT");
     addFieldOptions(*app, o->field);
     return {app, [o](Context& context) { return runQuery(*o, context); }};
 }

@@ -6,6 +6,7 @@
 #include "engine/transport/path/path_estimator.h"
 #include "engine/transport/radiosity/radiosity_estimator.h"
 #include "engine/transport/shared/shared_estimator.h"
+#include "engine/volume/gather/volume_gather_estimator.h"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,8 @@ const std::vector<Algorithm>& algorithms() {
     static const std::vector<Algorithm> all{
         {"path", "unbiased path tracing: all interreflection, error by time alone", true, makePathEstimator},
         {"shared", "unbiased path tracing whose neighbouring sensors share the light that their paths found", true, makeSharedEstimator},
+        {"volume_gather", "one bounce from surfaces that an irradiance volume lights: quick after its set-up, biased in corners", true, makeVolumeGatherEstimator,
+         0.04, {}},
         {"direct", "light straight from luminaires and sky, no interreflection", false, makeDirectEstimator},
         {"ambient", "direct light and a constant ambient illuminance (--ambient LX, zero by default)", false,
          makeAmbientEstimator},
