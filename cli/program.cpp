@@ -34,7 +34,7 @@ void addCommon(CLI::App& app, Common& common) {
 }
 
 std::vector<Command> addCommands(CLI::App& program) {
-    std::vector<Command> all{addCheck(program), addSolve(program), addSense(program), addRender(program), addTonemap(program), addExport(program), addValidate(program)};
+    std::vector<Command> all{addCheck(program), addSolve(program), addSense(program), addRender(program), addTonemap(program), addExport(program), addValidate(program), addCompare(program)};
     for (auto& command : addVolume(program)) all.push_back(std::move(command));
 #ifdef LUXDECK_REPORT
     all.push_back(addReport(program));

@@ -23,6 +23,9 @@ constexpr std::array<Oklab, 5> kDusk{{{0.22, 0.015, -0.115},
 constexpr std::array<Oklab, 5> kHeat{
     {{0.08, 0.010, 0.005}, {0.32, 0.105, 0.060}, {0.55, 0.135, 0.105}, {0.78, 0.030, 0.150}, {0.98, -0.010, 0.045}}};
 
+constexpr std::array<Oklab, 5> kBalance{
+    {{0.40, -0.020, -0.150}, {0.70, -0.025, -0.090}, {0.97, 0.000, 0.003}, {0.70, 0.115, 0.065}, {0.40, 0.145, 0.070}}};
+
 double encoded(double linear) {
     const double v = std::clamp(linear, 0.0, 1.0);
     return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
@@ -54,18 +57,26 @@ std::array<Colour8, 256> table(const std::array<Oklab, 5>& points) {
 
 }  // namespace
 
-std::string_view name(ColourMap map) { return map == ColourMap::Dusk ? "dusk" : "heat"; }
+std::string_view name(ColourMap map) {
+    switch (map) {
+        case ColourMap::Dusk: return "dusk";
+        case ColourMap::Heat: return "heat";
+        case ColourMap::Balance: return "balance";
+    }
+    return "";
+}
 
 Result<ColourMap> colourMapNamed(std::string_view text) {
     if (text == "dusk") return ColourMap::Dusk;
     if (text == "heat") return ColourMap::Heat;
-    return Error{ErrorCode::InvalidArgument, fmt::format("colour map '{}', expected dusk or heat", text), ""};
+    if (text == "balance") return ColourMap::Balance;
+    return Error{ErrorCode::InvalidArgument, fmt::format("colour map '{}', expected dusk, heat or balance", text), ""};
 }
 
 Colour8 colourAt(ColourMap map, double t) {
-    static const auto dusk = table(kDusk), heat = table(kHeat);
+    static const auto dusk = table(kDusk), heat = table(kHeat), balance = table(kBalance);
     const auto i = static_cast<std::size_t>(std::lround(255 * std::clamp(t, 0.0, 1.0)));
-    return map == ColourMap::Dusk ? dusk[i] : heat[i];
+    return map == ColourMap::Dusk ? dusk[i] : map == ColourMap::Heat ? heat[i] : balance[i];
 }
 
 }  // namespace luxdeck::tonemap

@@ -9,10 +9,11 @@ namespace luxdeck::tonemap {
 
 enum class ColourMap {
     Dusk,  ///< dark blue, teal, green, yellow: lightness rises evenly, safe for all kinds of colour blindness
-    Heat   ///< black, red, orange, yellow, white
+    Heat,  ///< black, red, orange, yellow, white
+    Balance  ///< of signed values: blue below, near white in the middle, red above; ends of equal lightness
 };
 
-/// "dusk", "heat".
+/// "dusk", "heat", "balance".
 std::string_view name(ColourMap map);
 /// errors  InvalidArgument: not one of these
 Result<ColourMap> colourMapNamed(std::string_view name);

@@ -1,8 +1,8 @@
 #include "analysis/grids/solver.h"
 
 #include "analysis/grids/condition.h"
-#include "analysis/grids/grid_points.h"
 #include "analysis/grids/grid_results.h"
+#include "analysis/grids/grid_targets.h"
 #include "analysis/grids/layers.h"
 #include "analysis/grids/sampling_run.h"
 #include "engine/algorithms/registry.h"
@@ -64,7 +64,7 @@ public:
         : project_(project), settings_(settings), layouts_(std::move(layouts)), progress_(progress),
           layerMap_(settings.byLuminaire ? LayerMap::of(project.scene) : LayerMap{}),
           errors_(estimator.groupSize() > 1 ? PointErrors::GoTogether : PointErrors::Independent),
-          run_(estimator, project.scene.weights, targetsOf(project.scene), settings.seed) {
+          run_(estimator, project.scene.weights, targets(), settings.seed) {
         state_.stage = "solving";
         result_.kernel = lit.raycaster().kernel();
         result_.leftOut = leftOut(lit.needs());
@@ -92,21 +92,13 @@ private:
         std::size_t grid, index;
     };
 
-    std::vector<Target> targetsOf(const Scene& scene) {
-        std::vector<Target> targets;
+    std::vector<Target> targets() {
+        auto all = gridTargets(project_, layouts_);
+        if (settings_.byLuminaire)
+            for (auto& target : all) target.layers = &layerMap_;
         for (std::size_t g = 0; g < layouts_.size(); ++g)
-            for (std::size_t i = 0; i < layouts_[g].points.size(); ++i) {
-                Target target;
-                target.sensor.position = scene.toRebased(layouts_[g].points[i]);
-                target.sensor.normal = Vec3(layouts_[g].normals[i]);
-                target.sensor.kind = project_.grids[g].kind == GridKind::Cylindrical ? SensorKind::Cylindrical : SensorKind::Planar;
-                target.grid = static_cast<std::uint32_t>(g);
-                target.stream = points_.size();
-                if (settings_.byLuminaire) target.layers = &layerMap_;
-                targets.push_back(target);
-                points_.push_back({g, i});
-            }
-        return targets;
+            for (std::size_t i = 0; i < layouts_[g].points.size(); ++i) points_.push_back({g, i});
+        return all;
     }
 
     [[nodiscard]] std::uint32_t firstRequest() const {
@@ -256,19 +248,15 @@ Result<SolveResult> solve(const Project& project, const LitScene& lit, const Sol
                           const Progress& progress) {
     auto estimator = makeEstimator(settings.algorithm, lit.transport(), settings.algorithmSettings);
     if (!estimator) return estimator.error();
-    std::vector<GridLayout> layouts;
-    for (const auto& grid : project.grids) {
-        auto layout = layOut(grid);
-        if (!layout) return layout.error();
-        layouts.push_back(*std::move(layout));
-    }
-    if (layouts.empty())
+    auto layouts = layOutAll(project);
+    if (!layouts) return layouts.error();
+    if (layouts->empty())
         return Error{ErrorCode::InvalidArgument, "has no calculation grid: add a [[grid]] (docs/project-format.md)", project.file.string()};
     if (!(settings.targetError > 0) && !settings.timeSeconds && !settings.samples)
         return Error{ErrorCode::InvalidArgument, "neither a target error nor a time: solving would never end"};
     if (settings.byLuminaire)
-        if (const auto possible = canKeepLayers(project, **estimator, settings, layouts); !possible) return possible.error();
-    return Solve(project, lit, settings, **estimator, std::move(layouts), progress).run();
+        if (const auto possible = canKeepLayers(project, **estimator, settings, *layouts); !possible) return possible.error();
+    return Solve(project, lit, settings, **estimator, *std::move(layouts), progress).run();
 }
 
 }  // namespace luxdeck

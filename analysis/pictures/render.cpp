@@ -50,7 +50,7 @@ public:
               const RenderSettings& settings, const Progress& progress)
         : project_(project), view_(view), lit_(lit), estimator_(estimator), settings_(settings), progress_(progress),
           camera_(view, project.scene), pixels_(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height)) {
-        state_.stage = "rendering " + view.name;
+        state_.stage = settings.stage.empty() ? "rendering " + view.name : settings.stage;
     }
 
     RenderResult run(const std::function<void(const RenderResult&)>& afterPass) {
@@ -280,7 +280,12 @@ Result<RenderResult> render(const Project& project, const LitScene& lit, const V
         return Error{ErrorCode::InvalidArgument, fmt::format("view \"{}\" is {} x {} pixels", view.name, view.width, view.height), view.where};
     if (!(settings.targetError > 0) && !settings.timeSeconds && !settings.samples)
         return Error{ErrorCode::InvalidArgument, "neither a target error, a time nor a number of samples: rendering would never end"};
-    return Rendering(project, view, lit, **estimator, settings, progress).run(afterPass);
+    return render(project, lit, view, **estimator, settings, progress, afterPass);
+}
+
+RenderResult render(const Project& project, const LitScene& lit, const View& view, const RadianceEstimator& estimator, const RenderSettings& settings,
+                    const Progress& progress, const std::function<void(const RenderResult&)>& afterPass) {
+    return Rendering(project, view, lit, estimator, settings, progress).run(afterPass);
 }
 
 }  // namespace luxdeck

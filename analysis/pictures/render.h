@@ -25,6 +25,7 @@ struct RenderSettings {
     double targetError = 0.1;            // of the picture, see RenderResult::relativeError; 0: until the time is up
     std::optional<double> timeSeconds;
     std::optional<std::uint32_t> samples;  // paths a pixel, instead
+    std::string stage;                   // what the progress calls it; empty: "rendering" and the view's name
 };
 
 struct RenderResult {
@@ -46,5 +47,9 @@ struct RenderResult {
 Result<RenderResult> render(const Project& project, const LitScene& lit, const View& view,
                             const RenderSettings& settings, const Progress& progress,
                             const std::function<void(const RenderResult&)>& afterPass = {});
+
+/// The same by an estimator that is there already; the view has a size, and the settings say when to end.
+RenderResult render(const Project& project, const LitScene& lit, const View& view, const RadianceEstimator& estimator,
+                    const RenderSettings& settings, const Progress& progress, const std::function<void(const RenderResult&)>& afterPass = {});
 
 }  // namespace luxdeck

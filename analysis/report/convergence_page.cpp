@@ -1,5 +1,6 @@
 #include "analysis/report/convergence_page.h"
 
+#include "analysis/report/log_plot.h"
 #include "analysis/report/number_format.h"
 
 #include <algorithm>
@@ -9,37 +10,12 @@ namespace luxdeck::report {
 
 namespace {
 
-/// Logarithmic axes over a rectangle of the page.
-struct LogPlot {
-    QRectF area;
-    double x0, x1, y0, y1;  // log10 of the ends
-
-    [[nodiscard]] QPointF at(double x, double y) const {
-        return {area.left() + area.width() * (std::log10(x) - x0) / (x1 - x0),
-                area.bottom() - area.height() * (std::log10(y) - y0) / (y1 - y0)};
-    }
-};
-
 /// Passes that can stand on logarithmic axes.
 std::vector<ErrorAtTime> plottable(const SolveResult& solve) {
     std::vector<ErrorAtTime> out;
     for (const auto& entry : solve.trace)
         if (entry.seconds > 0 && entry.relativeError > 0 && std::isfinite(entry.relativeError)) out.push_back(entry);
     return out;
-}
-
-/// Ends of a logarithmic axis at 1, 2 or 5 times a power of ten outside the data.
-void roundLog(double& low, double& high) {
-    const auto down = [](double v) {
-        const double decade = std::pow(10.0, std::floor(std::log10(v) + 1e-9)), m = v / decade;
-        return decade * (m >= 5 ? 5 : m >= 2 ? 2 : 1);
-    };
-    const auto up = [](double v) {
-        const double decade = std::pow(10.0, std::floor(std::log10(v) - 1e-9)), m = v / decade;
-        return decade * (m <= 1 ? 1 : m <= 2 ? 2 : m <= 5 ? 5 : 10);
-    };
-    low = down(low), high = up(high);
-    if (high < low * 4) low /= 2, high *= 2;
 }
 
 LogPlot plotOf(const std::vector<ErrorAtTime>& trace, double target, const QRectF& area) {
@@ -50,39 +26,7 @@ LogPlot plotOf(const std::vector<ErrorAtTime>& trace, double target, const QRect
             if (e > 0 && std::isfinite(e)) e0 = std::min(e0, e), e1 = std::max(e1, e);
     }
     if (target > 0) e0 = std::min(e0, target * 0.9), e1 = std::max(e1, target);
-    roundLog(t0, t1);
-    roundLog(e0, e1);
-    return {area, std::log10(t0), std::log10(t1), std::log10(e0), std::log10(e1)};
-}
-
-/// 1, 2 and 5 times powers of ten between the ends; powers alone over more than three decades.
-std::vector<double> logTicks(double low, double high) {
-    std::vector<double> ticks;
-    for (double decade = std::floor(low); decade <= high + 1e-9; ++decade)
-        for (const double factor : {1.0, 2.0, 5.0}) {
-            if (factor > 1 && high - low > 3) continue;
-            const double position = decade + std::log10(factor);
-            if (position >= low - 1e-9 && position <= high + 1e-9) ticks.push_back(std::pow(10.0, position));
-        }
-    return ticks;
-}
-
-void drawAxes(Canvas& canvas, const LogPlot& plot) {
-    const TextStyle label{7, QFont::Normal, ink::kGrey};
-    for (const double t : logTicks(plot.x0, plot.x1)) {
-        const auto p = plot.at(t, std::pow(10, plot.y0));
-        canvas.stroke(p.x(), plot.area.top(), p.x(), p.y(), ink::kLight, 0.15);
-        canvas.text(p.x(), p.y() + 4, line(formatNumber(t, 2)), label.aligned(Align::Centre));
-    }
-    for (const double e : logTicks(plot.y0, plot.y1)) {
-        const auto p = plot.at(std::pow(10, plot.x0), e);
-        canvas.stroke(p.x(), p.y(), plot.area.right(), p.y(), ink::kLight, 0.15);
-        canvas.text(p.x() - 1.6, p.y() + 0.9, line(formatNumber(e * 100, 2)), label.aligned(Align::Right));
-    }
-    canvas.stroke(plot.area.left(), plot.area.bottom(), plot.area.right(), plot.area.bottom(), ink::kBlack, 0.3);
-    canvas.stroke(plot.area.left(), plot.area.top(), plot.area.left(), plot.area.bottom(), ink::kBlack, 0.3);
-    canvas.text(plot.area.right(), plot.area.bottom() + 8.5, "Run time in s", type::kLabel.aligned(Align::Right));
-    canvas.text(sheet::kLeft, plot.area.top() - 4, "95 % half-width over value, in %", type::kLabel);
+    return logPlotOf(area, t0, t1, e0, e1);
 }
 
 void drawSeries(Canvas& canvas, const LogPlot& plot, const std::vector<ErrorAtTime>& trace,
@@ -92,15 +36,6 @@ void drawSeries(Canvas& canvas, const LogPlot& plot, const std::vector<ErrorAtTi
         if (entry.*value > 0 && std::isfinite(entry.*value)) path << plot.at(entry.seconds, entry.*value);
     canvas.polyline(path, colour, 0.5);
     for (const auto& p : path) canvas.disc(p.x(), p.y(), 0.75, colour);
-}
-
-/// The slope -1/2 that independent samples give, through the last pass.
-void drawGuide(Canvas& canvas, const LogPlot& plot, const ErrorAtTime& last) {
-    const double t0 = std::pow(10, plot.x0), t1 = std::pow(10, plot.x1);
-    const auto error = [&](double t) { return last.relativeError * std::sqrt(last.seconds / t); };
-    canvas.clip(plot.area);
-    canvas.polyline(QPolygonF(QVector<QPointF>{plot.at(t0, error(t0)), plot.at(t1, error(t1))}), ink::kGrey, 0.25, Qt::DashLine);
-    canvas.unclip();
 }
 
 void drawKey(Document& document, double target) {
@@ -152,12 +87,12 @@ void drawConvergence(Document& document) {
     }
     const QRectF area(sheet::kLeft + 11, document.y + 7, sheet::kTextWidth - 11, 100);
     const auto plot = plotOf(trace, solve.targetError, area);
-    drawAxes(canvas, plot);
+    drawLogAxes(canvas, plot, "Run time in s", "95 % half-width over value, in %");
     if (solve.targetError > 0) {
         const auto p = plot.at(trace.back().seconds, solve.targetError);
         canvas.stroke(area.left(), p.y(), area.right(), p.y(), ink::kUndecided, 0.5);
     }
-    drawGuide(canvas, plot, trace.back());
+    drawHalfSlope(canvas, plot, trace.back().seconds, trace.back().relativeError);
     drawSeries(canvas, plot, trace, &ErrorAtTime::rmsPointError, ink::kBlack);
     drawSeries(canvas, plot, trace, &ErrorAtTime::relativeError, ink::kAccent);
     document.y = area.bottom() + 17;

@@ -1,18 +1,14 @@
 #include "analysis/report/photometric_sheet.h"
 
+#include "analysis/report/drawing_file.h"
 #include "analysis/report/number_format.h"
-#include "analysis/report/offscreen.h"
 #include "analysis/report/photometric_drawing.h"
-#include "engine/core/file.h"
 #include "engine/core/version.h"
-
-#include <QBuffer>
-#include <QPdfWriter>
-#include <QSvgGenerator>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 #include <vector>
 
@@ -128,89 +124,14 @@ void drawSheet(Canvas& canvas, const CheckedFile& checked) {
     drawFoot(canvas, checked);
 }
 
-std::string toText(const QByteArray& bytes) { return {bytes.constData(), static_cast<std::size_t>(bytes.size())}; }
-
-std::string sheetPng(const CheckedFile& checked, const QString& family) {
-    constexpr double kDots = 8;  // a millimetre
-    QImage image(static_cast<int>(kWidth * kDots), static_cast<int>(kHeight * kDots), QImage::Format_RGB32);
-    image.setDotsPerMeterX(static_cast<int>(1000 * kDots));
-    image.setDotsPerMeterY(static_cast<int>(1000 * kDots));
-    {
-        QPainter painter(&image);
-        Canvas canvas(painter, kDots, family);
-        drawSheet(canvas, checked);
-    }
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    image.save(&buffer, "PNG");
-    return toText(bytes);
-}
-
 QString titleOf(const CheckedFile& checked) {
     return line(checked.photometry.name.empty() ? checked.file : checked.photometry.name);
-}
-
-std::string sheetPdf(const CheckedFile& checked, const QString& family) {
-    constexpr int kDotsPerInch = 1200;
-    const FixedHashOrder fixedOrder;
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    {
-        QPdfWriter writer(&buffer);
-        writer.setPageLayout({QPageSize(QPageSize::A4), QPageLayout::Landscape, QMarginsF(0, 0, 0, 0)});
-        writer.setResolution(kDotsPerInch);
-        writer.setTitle(titleOf(checked));
-        writer.setCreator(line(fmt::format("Luxdeck {}", kVersion)));
-        QPainter painter(&writer);
-        Canvas canvas(painter, kDotsPerInch / 25.4, family);
-        drawSheet(canvas, checked);
-    }
-    auto pdf = toText(bytes);
-    fixPdfDate(pdf, {});
-    return pdf;
-}
-
-std::string sheetSvg(const CheckedFile& checked, const QString& family) {
-    constexpr double kDots = 20;  // a millimetre: sizes of type are whole dots
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    {
-        QSvgGenerator generator;
-        generator.setOutputDevice(&buffer);
-        generator.setResolution(static_cast<int>(kDots * 25.4));
-        generator.setSize({static_cast<int>(kWidth * kDots), static_cast<int>(kHeight * kDots)});
-        generator.setViewBox(QRectF(0, 0, kWidth * kDots, kHeight * kDots));
-        generator.setTitle(titleOf(checked));
-        QPainter painter(&generator);
-        Canvas canvas(painter, kDots, family);
-        drawSheet(canvas, checked);
-    }
-    return toText(bytes);
 }
 
 }  // namespace
 
 Result<std::string> photometricSheet(const CheckedFile& checked, SheetFormat format) {
-    ensureApplication();
-    const auto family = requireFont();
-    if (!family) return family.error();
-    switch (format) {
-        case SheetFormat::Png: return sheetPng(checked, *family);
-        case SheetFormat::Pdf: return sheetPdf(checked, *family);
-        case SheetFormat::Svg: return sheetSvg(checked, *family);
-    }
-    return Error{ErrorCode::Internal, "a format of sheets that is not known"};
-}
-
-Result<SheetFormat> sheetFormatOf(const std::filesystem::path& path) {
-    const auto extension = lowerExtension(path);
-    if (extension == ".png") return SheetFormat::Png;
-    if (extension == ".pdf") return SheetFormat::Pdf;
-    if (extension == ".svg") return SheetFormat::Svg;
-    return Error{ErrorCode::InvalidArgument, fmt::format("saw \"{}\", expected a name that ends in .png, .pdf or .svg", extension), path.string()};
+    return drawingFile({titleOf(checked), kWidth, kHeight, [&](Canvas& canvas) { drawSheet(canvas, checked); }}, format);
 }
 
 }  // namespace luxdeck

@@ -1,0 +1,128 @@
+#include "analysis/compare/compare_fields.h"
+#include "analysis/compare/compare_output.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+namespace luxdeck {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr const char* kSchema = "luxdeck-compare/1";
+
+constexpr std::array<std::pair<Reached, const char*>, 3> kReached{
+    {{Reached::Interpolated, "interpolated"}, {Reached::AtOnce, "at once"}, {Reached::NotReached, "not reached"}}};
+
+/// Archive of compare_fields.h that builds JSON.
+class Writer {
+public:
+    explicit Writer(Json& object) : object_(object) {}
+
+    template <class T>
+    void operator()(const char* key, const T& value) { object_[key] = json(value); }
+
+private:
+    static Json json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+    static Json json(const std::optional<double>& value) { return value ? json(*value) : Json(nullptr); }
+    static Json json(Reached how) {
+        for (const auto& [each, text] : kReached)
+            if (each == how) return text;
+        return nullptr;
+    }
+    /// Errors of many points: four digits are more than their noise leaves meaning.
+    static Json json(const std::vector<double>& list) {
+        auto out = Json::array();
+        for (const double x : list) out.push_back(std::stod(fmt::format("{:.4g}", x)));
+        return out;
+    }
+    template <class T>
+    static Json json(const std::vector<T>& list) {
+        auto out = Json::array();
+        for (const auto& item : list) out.push_back(json(item));
+        return out;
+    }
+    template <class T>
+    static Json json(const T& value) {
+        if constexpr (std::is_class_v<T> && !std::is_same_v<T, std::string>) {
+            Json out = Json::object();
+            Writer writer(out);
+            compare_fields::visit(writer, const_cast<T&>(value));  // visit() serves reading too; a writer changes nothing
+            return out;
+        } else {
+            return value;
+        }
+    }
+
+    Json& object_;
+};
+
+/// Archive that reads; throws std::runtime_error or nlohmann's exceptions with what was seen.
+class Reader {
+public:
+    explicit Reader(const Json& object) : object_(object) {}
+
+    template <class T>
+    void operator()(const char* key, T& value) { read(object_.at(key), value); }
+
+private:
+    static void read(const Json& json, double& value) { value = json.is_null() ? std::numeric_limits<double>::infinity() : json.get<double>(); }
+    static void read(const Json& json, std::optional<double>& value) {
+        if (!json.is_null()) value = json.get<double>();
+    }
+    static void read(const Json& json, Reached& how) {
+        for (const auto& [each, text] : kReached)
+            if (json.get<std::string>() == text) return void(how = each);
+        throw std::runtime_error(fmt::format("reached is \"{}\", expected interpolated, at once or not reached", json.get<std::string>()));
+    }
+    template <class T>
+    static void read(const Json& json, std::vector<T>& list) {
+        for (const auto& item : json) read(item, list.emplace_back());
+    }
+    template <class T>
+    static void read(const Json& json, T& value) {
+        if constexpr (std::is_class_v<T> && !std::is_same_v<T, std::string>) {
+            Reader reader(json);
+            compare_fields::visit(reader, value);
+        } else {
+            value = json.get<T>();
+        }
+    }
+
+    const Json& object_;
+};
+
+}  // namespace
+
+std::string compareJson(const Comparison& comparison) {
+    Json out{{"schema", kSchema}};
+    Writer writer(out);
+    compare_fields::visit(writer, const_cast<Comparison&>(comparison));
+    return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<Comparison> readCompareJson(const std::string& text, const std::string& where) {
+    try {
+        const auto json = Json::parse(text);
+        if (const auto schema = json.at("schema").get<std::string>(); schema != kSchema)
+            return Error{ErrorCode::Parse, fmt::format("schema is \"{}\", expected \"{}\"", schema, kSchema), where};
+        Comparison out;
+        Reader reader(json);
+        compare_fields::visit(reader, out);
+        for (const auto& map : out.maps)
+            if (map.columns < 0 || map.rows < 0 || static_cast<double>(map.columns) * map.rows != static_cast<double>(map.errors.size()))
+                return Error{ErrorCode::Parse, fmt::format("a map of {} x {} has {} errors", map.columns, map.rows, map.errors.size()), where};
+        return out;
+    } catch (const std::exception& e) {
+        return Error{ErrorCode::Parse, fmt::format("not a comparison: {}", e.what()), where};
+    }
+}
+
+}  // namespace luxdeck

@@ -1,0 +1,81 @@
+#include "analysis/compare/run_errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace luxdeck {
+
+namespace {
+
+constexpr std::size_t kWorst = 5;  // values that are named
+constexpr double kSurely = 2;      // half-widths: one false alarm in some thousand comparisons of an unbiased algorithm
+
+Field meanOf(const std::vector<Field>& repetitions) {
+    Field mean(repetitions.front().size());
+    for (const auto& field : repetitions)
+        for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += field[i] / static_cast<double>(repetitions.size());
+    return mean;
+}
+
+/// One map for each grid, or one for the picture; free points are one row.
+void addMaps(const Subject& subject, const std::string& algorithm, const Field& errors, Comparison& c) {
+    ErrorMap* map = nullptr;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const auto place = subject.placeOf(i);
+        if (map == nullptr || map->grid != place.grid || (place.column == 0 && place.row == 0)) {
+            c.maps.push_back({subject.name(), algorithm, place.grid, 0, 0, {}});
+            map = &c.maps.back();
+        }
+        map->columns = std::max(map->columns, place.column + 1), map->rows = std::max(map->rows, place.row + 1);
+        map->errors.push_back(errors[i]);
+    }
+}
+
+}  // namespace
+
+void enterErrors(const RunErrors& errors, ComparedRun& run) {
+    if (const auto rms = errors.rms()) run.rms = rms->value, run.rmsCi95 = rms->ci95;
+    run.rmsAtMost = errors.rmsAtMost();
+    if (const auto bias = errors.bias()) run.bias = bias->value, run.biasCi95 = bias->ci95;
+    run.meanError = errors.mean.value, run.meanErrorCi95 = errors.mean.ci95;
+    run.max = errors.largest, run.p99 = errors.percentile99;
+}
+
+void addPlaces(const Subject& subject, const ReferenceFields& reference, const std::string& algorithm, const std::vector<Field>& repetitions, Comparison& c) {
+    const auto truth = reference.mean(), variance = reference.variance(), value = meanOf(repetitions);
+    Field errors(truth.size());
+    for (std::size_t i = 0; i < errors.size(); ++i) errors[i] = (value[i] - truth[i]) / reference.scale[i];
+    std::vector<std::size_t> order(errors.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto count = std::min(kWorst, order.size());
+    std::ranges::partial_sort(order, order.begin() + static_cast<std::ptrdiff_t>(count), [&](std::size_t a, std::size_t b) {
+        return std::abs(errors[a]) != std::abs(errors[b]) ? std::abs(errors[a]) > std::abs(errors[b]) : a < b;
+    });
+    const double t = studentT95(static_cast<double>(reference.parts.size()) - 1);
+    for (std::size_t w = 0; w < count; ++w) {
+        const auto i = order[w];
+        const auto place = subject.placeOf(i);
+        c.worst.push_back({subject.name(), algorithm, place.grid, place.position, place.column, place.row, truth[i], t * std::sqrt(variance[i]), value[i], errors[i]});
+    }
+    addMaps(subject, algorithm, errors, c);
+}
+
+void addWarnings(Comparison& c) {
+    for (const auto& r : c.reference)
+        if (r.relativeError > r.asked * (1 + 1e-9))
+            c.warnings.push_back(fmt::format("the reference of {} is known to {:.2g} %, {:.2g} % was asked for", r.subject, 100 * r.relativeError, 100 * r.asked));
+    for (const auto& run : c.runs) {
+        const bool largest = std::ranges::none_of(c.runs, [&](const auto& other) { return other.subject == run.subject && other.algorithm == run.algorithm && other.rung > run.rung; });
+        if (!largest) continue;
+        if (!run.rms) c.warnings.push_back(fmt::format("{} on {} is nearer to the truth than the reference is known to be: its error is at most {:.2g} %", run.algorithm, run.subject, 100 * run.rmsAtMost));
+        const auto algorithm = std::ranges::find(c.algorithms, run.algorithm, &ComparedAlgorithm::name);
+        if (run.bias && algorithm != c.algorithms.end() && algorithm->interreflection && *run.bias - kSurely * run.biasCi95 > algorithm->claimedBias)
+            c.warnings.push_back(fmt::format("{} on {} is off by {:.2g} ± {:.2g} % however often it is repeated; it claims {:.2g} %", run.algorithm, run.subject, 100 * *run.bias, 100 * run.biasCi95,
+                                             100 * algorithm->claimedBias));
+    }
+}
+
+}  // namespace luxdeck

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "analysis/compare/comparison.h"
+#include "analysis/compare/subject.h"
+
+namespace luxdeck {
+
+/// The figures of a run from its errors.
+void enterErrors(const RunErrors& errors, ComparedRun& run);
+
+/// Worst values and error maps of an algorithm's largest run.
+///
+/// repetitions  #K x N
+void addPlaces(const Subject& subject, const ReferenceFields& reference, const std::string& algorithm, const std::vector<Field>& repetitions, Comparison& comparison);
+
+/// What a reader must know beside the figures: references that missed what was asked for, runs that are below them, biases that
+/// the registry does not claim.
+void addWarnings(Comparison& comparison);
+
+}  // namespace luxdeck

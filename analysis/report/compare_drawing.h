@@ -1,0 +1,18 @@
+#pragma once
+
+#include "analysis/compare/comparison.h"
+#include "analysis/report/canvas.h"
+
+namespace luxdeck::report {
+
+/// The colour that an algorithm has in every plot of a comparison: told apart with all kinds of colour blindness.
+QColor colourOf(const Comparison& comparison, const std::string& algorithm);
+
+/// Error against run time of every algorithm, each named where its curve ends, with slope and bias beneath. Bars are 95 %
+/// intervals; arrows point down from bounds; the shaded part is below what the reference can tell.
+void drawErrorCurves(Canvas& canvas, const QRectF& area, const Comparison& comparison, const ComparedReference& reference);
+
+/// "112 points; reference by shared, known to ± 1 %".
+QString referenceText(const ComparedReference& reference);
+
+}  // namespace luxdeck::report
