@@ -68,22 +68,25 @@ CompareSettings settingsOf(const Options& o, const Project& project, const Conte
 
 Result<void> writePlots([[maybe_unused]] const Comparison& comparison, [[maybe_unused]] const fs::path& folder) {
 #ifdef LUXDECK_REPORT
-    for (const auto& reference : comparison.reference)
-        for (const auto format : {SheetFormat::Svg, SheetFormat::Png, SheetFormat::Pdf}) {
-            const auto plot = comparePlot(comparison, reference.subject, format);
-            if (!plot) return plot.error();
-            const auto name = "error-against-time-" + fileName(reference.subject) + extensionOf(format);
-            if (auto ok = writeFileAtomically(folder / name, *plot); !ok) return ok;
-        }
+    const auto write = [&](const std::string& name, SheetFormat format, const Result<std::string>& drawing) {
+        return drawing ? writeFileAtomically(folder / (name + extensionOf(format)), *drawing) : drawing.error();
+    };
+    for (const auto format : {SheetFormat::Svg, SheetFormat::Png, SheetFormat::Pdf}) {
+        for (const auto& reference : comparison.reference)
+            if (auto ok = write("error-against-time-" + fileName(reference.subject), format, comparePlot(comparison, reference.subject, format)); !ok) return ok;
+        if (!comparison.grids.empty())
+            if (auto ok = write("errors-grids", format, errorPlans(comparison, format)); !ok) return ok;
+    }
 #endif
     return {};
 }
 
 Result<void> writePictures(const Comparison& comparison, const fs::path& folder) {
     for (const auto& map : comparison.maps) {
+        if (!map.grid.empty()) continue;  // these are in the plans
         const auto picture = errorPicture(map, errorRange(comparison, map.subject), map.algorithm);
         if (!picture) return picture.error();
-        const auto name = fmt::format("error-{}-{}.png", fileName(map.grid.empty() ? map.subject : map.grid), map.algorithm);
+        const auto name = fmt::format("errors-{}-{}.png", fileName(map.subject), map.algorithm);
         if (auto ok = writePng(folder / name, *picture); !ok) return ok;
     }
     return {};

@@ -42,16 +42,17 @@ double median(std::vector<double> values) {
     return n % 2 != 0 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
+struct Plan {
+    double budgetSeconds = 0, effort = 1;
+    std::uint32_t samples = 0;
+};
+
 /// An algorithm on a subject: what it costs, as far as it has been seen.
 struct Contender {
     std::size_t algorithm = 0, subject = 0;
     double secondsPerSample = 0;
-    std::vector<Field> last;                 // repetitions of its largest run
-};
-
-struct Plan {
-    double budgetSeconds = 0, effort = 1;
-    std::uint32_t samples = 1;
+    Plan last;                               // of its largest run so far
+    std::vector<Field> values;               // its repetitions
 };
 
 class Ladder {
@@ -87,6 +88,7 @@ private:
             auto reference = keeper.get(*subject, lit_, progress_);
             if (!reference) return reference.error();
             references_.push_back(reference->fields(*subject));
+            addGrids(*subject, c_);
             c_.reference.push_back(keeper.describe(*subject, *reference, relativeError95(references_.back())));
         }
         return keeper.close();
@@ -115,7 +117,7 @@ private:
                 continue;
             }
             costs_[a] = *cost;
-            for (std::size_t s = 0; s < references_.size(); ++s) contenders_.push_back({a, s, 0, {}});
+            for (std::size_t s = 0; s < references_.size(); ++s) contenders_.push_back({a, s, 0, {}, {}});
         }
         if (contenders_.empty() && !progress_.cancelled()) return Error{ErrorCode::InvalidArgument, "no algorithm can light this scene: " + refusals};
         return {};
@@ -165,11 +167,14 @@ private:
         return plan;
     }
 
-    /// All repetitions of one run; nothing is kept of one that was interrupted.
+    /// All repetitions of one run; nothing is kept of one that was interrupted. A budget in which no less can be done than
+    /// in the one below is passed over.
     void runRung(Contender& contender, int rung) {
         const auto& algorithm = c_.algorithms[contender.algorithm].name;
         const auto& subject = *subjects_[contender.subject];
         const auto plan = planOf(contender, rung);
+        ++runsBegun_;
+        if (plan.samples == contender.last.samples && plan.effort <= contender.last.effort) return;
         ComparedRun out;
         out.subject = subject.name(), out.algorithm = algorithm, out.rung = rung;
         out.budgetSeconds = plan.budgetSeconds, out.samples = plan.samples, out.effort = plan.effort;
@@ -197,12 +202,12 @@ private:
         contender.secondsPerSample = median(rates);
         enterErrors(runErrors(references_[contender.subject], values), out);
         c_.runs.push_back(out);
-        contender.last = std::move(values);
-        ++runsDone_;
+        contender.last = plan;
+        contender.values = std::move(values);
     }
 
     [[nodiscard]] std::string stageOf(const Contender& contender, int rung, int repetition) const {
-        return fmt::format("run {} of {}: {} on {}, repetition {} of {}", runsDone_ + 1, contenders_.size() * static_cast<std::size_t>(settings_.rungs),
+        return fmt::format("run {} of {}: {} on {}, repetition {} of {}", runsBegun_, contenders_.size() * static_cast<std::size_t>(settings_.rungs),
                            c_.algorithms[contender.algorithm].name, subjects_[contender.subject]->name(), repetition + 1, settings_.repetitions) +
                (settings_.samples ? "" : fmt::format(", {:.3g} s", settings_.budgetSeconds * std::ldexp(1.0, rung + 1 - settings_.rungs)));
     }
@@ -217,8 +222,8 @@ private:
     void finish() {
         c_.complete = !progress_.cancelled();
         for (const auto& contender : contenders_)
-            if (!contender.last.empty())
-                addPlaces(*subjects_[contender.subject], references_[contender.subject], c_.algorithms[contender.algorithm].name, contender.last, c_);
+            if (!contender.values.empty())
+                addPlaces(*subjects_[contender.subject], references_[contender.subject], c_.algorithms[contender.algorithm].name, contender.values, c_);
         summarize(c_);
         addWarnings(c_);
         c_.seconds = clock_.seconds();
@@ -231,7 +236,7 @@ private:
     std::vector<ReferenceFields> references_;        // of the subjects, in order; fewer when interrupted
     std::map<std::size_t, SetupCost> costs_;         // by algorithm
     std::vector<Contender> contenders_;
-    std::size_t runsDone_ = 0;
+    std::size_t runsBegun_ = 0;
     Comparison c_;
     Stopwatch clock_;
 };

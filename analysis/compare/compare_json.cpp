@@ -37,10 +37,10 @@ private:
             if (each == how) return text;
         return nullptr;
     }
-    /// Errors of many points: four digits are more than their noise leaves meaning.
+    /// Errors and places of many points: six digits are more than noise leaves meaning.
     static Json json(const std::vector<double>& list) {
         auto out = Json::array();
-        for (const double x : list) out.push_back(std::stod(fmt::format("{:.4g}", x)));
+        for (const double x : list) out.push_back(std::isfinite(x) ? Json(std::stod(fmt::format("{:.6g}", x))) : Json(nullptr));
         return out;
     }
     template <class T>

@@ -26,7 +26,8 @@ std::string errorsCsv(const Comparison& comparison);
 /// errors  InvalidArgument: a map without values
 Result<DisplayImage> errorPicture(const ErrorMap& map, double range, const std::string& name);
 
-/// A round end of the scale that suits all maps of a subject: their 98th percentile, 1 % at least and 100 % at most.
+/// A round end of the scale for all maps of a subject, 1 % at least and 100 % at most: the 98th percentile of the algorithm in the
+/// middle, so that one that is far off does not pale the others.
 double errorRange(const Comparison& comparison, const std::string& subject);
 
 /// As people read it in a terminal.

@@ -26,8 +26,8 @@ std::string bytesText(std::uint64_t bytes) {
 }
 
 std::string runRow(const ComparedRun& r) {
-    const auto rms = r.rms ? fmt::format("{:.3g} ± {:.1g}", 100 * *r.rms, 100 * r.rmsCi95) : fmt::format("< {:.2g}", 100 * r.rmsAtMost);
-    const auto bias = r.bias ? fmt::format("{:.2g} ± {:.1g}", 100 * *r.bias, 100 * r.biasCi95) : "none seen";
+    const auto rms = r.rms ? fmt::format("{:.3g} ± {:.2g}", 100 * *r.rms, 100 * r.rmsCi95) : fmt::format("< {:.2g}", 100 * r.rmsAtMost);
+    const auto bias = r.bias ? fmt::format("{:.2g} ± {:.2g}", 100 * *r.bias, 100 * r.biasCi95) : "none seen";
     return fmt::format("  {:<18} {:>8.3g} {:>8.2g} {:>9} {:>14} {:>8.3g} {:>8.3g} {:>14} {:>9}\n", r.algorithm, r.seconds, r.setupSeconds, r.samples, rms, 100 * r.p99, 100 * r.max, bias,
                        bytesText(r.preparedBytes));
 }
@@ -35,7 +35,7 @@ std::string runRow(const ComparedRun& r) {
 std::string timeText(const TimeTo& t) {
     switch (t.how) {
         case Reached::Interpolated: return fmt::format("{:.3g} s", t.seconds);
-        case Reached::AtOnce: return fmt::format("≤ {:.2g} s", t.seconds);
+        case Reached::AtOnce: return fmt::format("≤ {:.3g} s", t.seconds);
         case Reached::NotReached: break;
     }
     return "not reached";
@@ -62,7 +62,7 @@ std::string worstRows(const Comparison& c, const std::string& subject) {
         if (w.subject != subject || w.algorithm == last) continue;  // the first of each
         last = w.algorithm;
         const auto place = w.grid.empty() ? fmt::format("pixel {}, {}", w.column, w.row) : fmt::format("{} at {:.2f} {:.2f} {:.2f}", w.grid, w.position.x, w.position.y, w.position.z);
-        text += fmt::format("  {:<18} {:+.3g} %: {}, {:.4g} instead of {:.4g} ± {:.1g} {}\n", w.algorithm, 100 * w.error, place, w.value, w.reference, w.referenceCi95,
+        text += fmt::format("  {:<18} {:+.3g} %: {}, {:.4g} instead of {:.4g} ± {:.2g} {}\n", w.algorithm, 100 * w.error, place, w.value, w.reference, w.referenceCi95,
                             w.grid.empty() ? "cd/m²" : "lx");
     }
     return text.empty() ? "" : "\n  furthest off at the largest budget:\n" + text;
@@ -81,11 +81,14 @@ std::string runsCsv(const Comparison& c) {
 }
 
 std::string errorsCsv(const Comparison& c) {
-    std::string text = "subject,algorithm,grid,column,row,error_percent\n";
-    for (const auto& map : c.maps)
+    std::string text = "subject,algorithm,grid,column,row,x,y,z,error_percent\n";
+    for (const auto& map : c.maps) {
+        const auto grid = std::ranges::find(c.grids, map.grid, &ComparedGrid::name);
+        const bool point = !map.grid.empty() && grid != c.grids.end() && grid->x.size() == map.errors.size();
         for (std::size_t i = 0; i < map.errors.size(); ++i)
-            text += fmt::format("{},{},{},{},{},{:.4g}\n", cell(map.subject), map.algorithm, cell(map.grid), i % static_cast<std::size_t>(map.columns), i / static_cast<std::size_t>(map.columns),
-                                100 * map.errors[i]);
+            text += fmt::format("{},{},{},{},{},{},{:.4g}\n", cell(map.subject), map.algorithm, cell(map.grid), i % static_cast<std::size_t>(map.columns), i / static_cast<std::size_t>(map.columns),
+                                point ? fmt::format("{:.6g},{:.6g},{:.6g}", grid->x[i], grid->y[i], grid->z[i]) : ",,", 100 * map.errors[i]);
+    }
     return text;
 }
 

@@ -82,11 +82,18 @@ struct WorstValue {
     double error = 0;              // (value - reference) / scale
 };
 
+/// A calculation grid, and where its points are.
+struct ComparedGrid {
+    std::string name;
+    int columns = 0, rows = 0;     // free points are one row
+    std::vector<double> x, y, z;   // of the points, rows from v = 0 [m], user coordinates
+};
+
 /// Signed errors of every point or pixel at the largest budget, of the mean of the repetitions.
 struct ErrorMap {
     std::string subject, algorithm;
     std::string grid;              // empty: the picture
-    int columns = 0, rows = 0;     // 0: free points
+    int columns = 0, rows = 0;
     std::vector<double> errors;    // (value - reference) / scale
 };
 
@@ -99,6 +106,7 @@ struct Comparison {
     double seconds = 0;            // of all
     std::vector<ComparedAlgorithm> algorithms;
     std::vector<ComparedReference> reference;
+    std::vector<ComparedGrid> grids;
     std::vector<ComparedRun> runs;
     std::vector<ComparedSlope> slopes;
     std::vector<ComparedTime> timeTo;

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
+#include <vector>
 
 namespace luxdeck {
 
@@ -42,14 +45,19 @@ Result<DisplayImage> errorPicture(const ErrorMap& map, double range, const std::
 }
 
 double errorRange(const Comparison& c, const std::string& subject) {
-    std::vector<double> sizes;
+    std::map<std::string, std::vector<double>> sizes;  // by algorithm
     for (const auto& map : c.maps)
         if (map.subject == subject)
-            for (const double e : map.errors) sizes.push_back(std::abs(e));
-    if (sizes.empty()) return 1;
-    const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(sizes.size() - 1));
-    std::ranges::nth_element(sizes, at);
-    return roundedUp(std::clamp(*at, 0.01, 1.0));
+            for (const double e : map.errors) sizes[map.algorithm].push_back(std::abs(e));
+    std::vector<double> typical;
+    for (auto& [algorithm, all] : sizes) {
+        const auto at = all.begin() + static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(all.size() - 1));
+        std::ranges::nth_element(all, at);
+        typical.push_back(*at);
+    }
+    if (typical.empty()) return 1;
+    std::ranges::sort(typical);
+    return roundedUp(std::clamp(typical[(typical.size() - 1) / 2], 0.01, 1.0));
 }
 
 }  // namespace luxdeck

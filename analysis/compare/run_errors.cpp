@@ -20,12 +20,15 @@ Field meanOf(const std::vector<Field>& repetitions) {
     return mean;
 }
 
+/// A grid's (or picture's) first value: each has one at column 0 of row 0.
+bool opens(const Place& place) { return place.column == 0 && place.row == 0; }
+
 /// One map for each grid, or one for the picture; free points are one row.
 void addMaps(const Subject& subject, const std::string& algorithm, const Field& errors, Comparison& c) {
     ErrorMap* map = nullptr;
     for (std::size_t i = 0; i < errors.size(); ++i) {
         const auto place = subject.placeOf(i);
-        if (map == nullptr || map->grid != place.grid || (place.column == 0 && place.row == 0)) {
+        if (opens(place)) {
             c.maps.push_back({subject.name(), algorithm, place.grid, 0, 0, {}});
             map = &c.maps.back();
         }
@@ -61,6 +64,16 @@ void addPlaces(const Subject& subject, const ReferenceFields& reference, const s
         c.worst.push_back({subject.name(), algorithm, place.grid, place.position, place.column, place.row, truth[i], t * std::sqrt(variance[i]), value[i], errors[i]});
     }
     addMaps(subject, algorithm, errors, c);
+}
+
+void addGrids(const Subject& subject, Comparison& c) {
+    for (std::size_t i = 0; i < subject.size() && !subject.isPicture(); ++i) {
+        const auto place = subject.placeOf(i);
+        if (opens(place)) c.grids.push_back({place.grid, 0, 0, {}, {}, {}});
+        auto& grid = c.grids.back();
+        grid.columns = std::max(grid.columns, place.column + 1), grid.rows = std::max(grid.rows, place.row + 1);
+        grid.x.push_back(place.position.x), grid.y.push_back(place.position.y), grid.z.push_back(place.position.z);
+    }
 }
 
 void addWarnings(Comparison& c) {

@@ -13,6 +13,9 @@ void enterErrors(const RunErrors& errors, ComparedRun& run);
 /// repetitions  #K x N
 void addPlaces(const Subject& subject, const ReferenceFields& reference, const std::string& algorithm, const std::vector<Field>& repetitions, Comparison& comparison);
 
+/// The grids of a subject and their points; nothing of a picture.
+void addGrids(const Subject& subject, Comparison& comparison);
+
 /// What a reader must know beside the figures: references that missed what was asked for, runs that are below them, biases that
 /// the registry does not claim.
 void addWarnings(Comparison& comparison);

@@ -103,6 +103,7 @@ QString detailOf(const Comparison& c, const std::string& subject, const Curve& c
     if (slope != c.slopes.end() && std::isfinite(slope->ci95)) text = fmt::format("slope {:.2f} ± {:.2f}", slope->slope, slope->ci95);
     const auto& last = *curve.runs.back();
     if (last.bias) text += fmt::format("{}bias {:.2g} %", text.empty() ? "" : ", ", 100 * *last.bias);
+    for (auto at = text.find("-0.00 "); at != std::string::npos; at = text.find("-0.00 ")) text.erase(at, 1);
     for (std::size_t at = text.find("-"); at != std::string::npos; at = text.find("-")) text.replace(at, 1, "−");
     return line(text);
 }

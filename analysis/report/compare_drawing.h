@@ -12,6 +12,12 @@ QColor colourOf(const Comparison& comparison, const std::string& algorithm);
 /// intervals; arrows point down from bounds; the shaded part is below what the reference can tell.
 void drawErrorCurves(Canvas& canvas, const QRectF& area, const Comparison& comparison, const ComparedReference& reference);
 
+/// Where the errors are: for every algorithm a plan of the room with the grids' points, coloured by their errors at the largest
+/// budget, and the scale of the colours below. Nothing when no grid was compared.
+void drawErrorPlans(Canvas& canvas, QPointF at, double widthMm, const Comparison& comparison);
+/// The height that these take; 0 when there is nothing to draw.
+double errorPlansHeightMm(const Comparison& comparison, double widthMm);
+
 /// "112 points; reference by shared, known to ± 1 %".
 QString referenceText(const ComparedReference& reference);
 

@@ -12,4 +12,9 @@ namespace luxdeck {
 /// errors  OutOfResources: no font is installed
 Result<std::string> comparePlot(const Comparison& comparison, const std::string& subject, SheetFormat format);
 
+/// Where the errors of the grids' points are: a plan for each algorithm. Only of comparisons that have grids.
+///
+/// errors  OutOfResources: no font is installed
+Result<std::string> errorPlans(const Comparison& comparison, SheetFormat format);
+
 }  // namespace luxdeck
