@@ -21,10 +21,12 @@ Reference referenceOf(const nlohmann::json& json) {
     out.parts = json.at("parts").get<std::vector<Field>>();
     if (out.parts.size() != kReferenceParts)
         throw std::runtime_error(fmt::format("{} parts, expected {}", out.parts.size(), kReferenceParts));
-    for (const auto& part : out.parts) {
+    for (auto& part : out.parts) {
         if (part.size() != out.parts.front().size() || part.empty()) throw std::runtime_error("parts of different sizes, or empty");
-        for (const double x : part)
+        for (double& x : part) {
             if (!(x >= 0 && x < 1e30)) throw std::runtime_error(fmt::format("a value is {}, expected 0 .. 1e30", x));
+            x = static_cast<float>(x);  // nine digits name a float, not a double
+        }
     }
     out.reused = true;
     return out;
