@@ -5,24 +5,6 @@
 
 namespace luxdeck {
 
-namespace {
-
-/// The concentric map's inverse, of the hemisphere that a direction lies in: both 0 .. 1.
-Vec2 squareOf(const Vec3& d) {
-    // Of the disc sqrt(2) sin(angle / 2) = sqrt(1 - |z|), in a form without cancellation near the pole.
-    const float sine2 = d.x * d.x + d.y * d.y;
-    const float radius = std::sqrt(sine2 / (1 + std::abs(d.z)));
-    if (radius == 0) return {0.5F, 0.5F};
-    const float ax = std::abs(d.x), ay = std::abs(d.y);
-    // An eighth of the turn at a time: the square's coordinate across is linear in the angle.
-    const bool wide = ax > ay;
-    const float across = radius * (4 / kPi) * std::atan2(wide ? ay : ax, wide ? ax : ay);
-    const float u = std::copysign(wide ? radius : across, d.x), v = std::copysign(wide ? across : radius, d.y);
-    return {0.5F * (u + 1), 0.5F * (v + 1)};
-}
-
-}  // namespace
-
 Vec3d concentricHemisphere(double u, double v) {
     const double a = 2 * u - 1, b = 2 * v - 1;
     if (a == 0 && b == 0) return {0, 0, 1};
@@ -31,12 +13,6 @@ Vec3d concentricHemisphere(double u, double v) {
     const double angle = wide ? kPiD / 4 * (b / a) : kPiD / 2 - kPiD / 4 * (a / b);
     const double r2 = radius * radius, sine = radius * std::sqrt(2 - r2);
     return {sine * std::cos(angle), sine * std::sin(angle), 1 - r2};
-}
-
-int DirectionBins::binOf(const Vec3& direction) const {
-    const Vec2 s = squareOf(direction);
-    const auto cell = [&](float x) { return std::clamp(static_cast<int>(x * static_cast<float>(side_)), 0, side_ - 1); };
-    return ((direction.z < 0 ? side_ : 0) + cell(s.y)) * side_ + cell(s.x);
 }
 
 Vec3 DirectionBins::direction(int bin, Vec2 within) const {

@@ -35,7 +35,10 @@ Result<Lattice> Lattice::create(const Box3& bounds, std::array<int, 3> cells, in
     if (vertices > 5e7) return Error{ErrorCode::OutOfResources, fmt::format("{:.0f} vertices in the first level, expected 50 million at most", vertices)};
     out.finest_ = static_cast<std::uint32_t>(finest);
     std::array<std::uint32_t, 3> n{};
-    for (int axis = 0; axis < 3; ++axis) n[axis] = static_cast<std::uint32_t>(cells[axis]);
+    for (int axis = 0; axis < 3; ++axis) {
+        n[axis] = static_cast<std::uint32_t>(cells[axis]);
+        out.cellsPerM_[axis] = static_cast<float>(cells[axis] / (double{bounds.max[axis]} - bounds.min[axis]));
+    }
     // Vertices row by row, so that those of a cell lie close together in memory.
     for (std::uint32_t z = 0; z <= n[2]; ++z)
         for (std::uint32_t y = 0; y <= n[1]; ++y)
@@ -89,8 +92,7 @@ Lattice::Place Lattice::locate(const Vec3& position) const {
     std::array<int, 3> index{};
     Vec3 fraction{0, 0, 0};
     for (int axis = 0; axis < 3; ++axis) {
-        const float extent = bounds_.max[axis] - bounds_.min[axis];
-        const float q = (position[axis] - bounds_.min[axis]) / extent * static_cast<float>(counts_[axis]);
+        const float q = (position[axis] - bounds_.min[axis]) * cellsPerM_[axis];
         const float inside = std::clamp(q, 0.0F, static_cast<float>(counts_[axis]));
         index[axis] = std::min(static_cast<int>(inside), counts_[axis] - 1);
         fraction[axis] = inside - static_cast<float>(index[axis]);

@@ -72,6 +72,7 @@ private:
     Box3 bounds_;
     std::array<int, 3> counts_{1, 1, 1};
     int split_ = 2, depth_ = 0;
+    Vec3 cellsPerM_{1, 1, 1};                        // of the first level
     std::uint32_t finest_ = 1;                       // finest cells across one of the first level
     std::vector<Cell> cells_;                        // the first level first
     std::vector<Coordinates> corners_;               // of cells

@@ -1,6 +1,7 @@
 #include "engine/volume/vertex_sampler.h"
 
 #include "engine/core/rng.h"
+#include "engine/transport/surface/surface_point.h"
 #include "engine/transport/tracer/light_choice.h"
 #include "engine/transport/tracer/media.h"
 #include "engine/transport/tracer/mirrored_light.h"
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -17,15 +19,9 @@ namespace luxdeck {
 namespace {
 
 constexpr std::uint64_t kLights = 0x11, kMirrors = 0x22;  // purposes of random streams
+constexpr float kOnSurfaceM = 2e-4F;                   // nearer than that a vertex lies on it
 // A lamp by way of a mirror is dimmer than the lamp: an eighth of the shadow rays go there.
 constexpr std::uint32_t kRaysForEachMirrored = 8;
-
-/// A stream for each place, whatever its number in a lattice.
-std::uint64_t placeHash(const Vec3& p) {
-    std::uint64_t h = 0;
-    for (int axis = 0; axis < 3; ++axis) h = mix64(h ^ std::bit_cast<std::uint32_t>(p[axis] + 0.0F) ^ 0x9e3779b97f4a7c15ULL * static_cast<unsigned>(axis + 1));
-    return h;
-}
 
 /// Source rays of about the same direction become one, in the order of their bins: irradiance stays what it was for every
 /// surface that has all of them above its horizon.
@@ -55,6 +51,12 @@ void mergeByBin(std::vector<SourceRay>& rays, const DirectionBins& bins, const L
 }
 
 }  // namespace
+
+std::uint64_t placeHash(const Vec3& p) {
+    std::uint64_t h = 0;
+    for (int axis = 0; axis < 3; ++axis) h = mix64(h ^ std::bit_cast<std::uint32_t>(p[axis] + 0.0F) ^ 0x9e3779b97f4a7c15ULL * static_cast<unsigned>(axis + 1));
+    return h;
+}
 
 VertexSampler::VertexSampler(const TransportScene& scene, const RadianceEstimator& estimator, const VolumeSettings& settings, std::uint64_t seed)
     : scene_(scene), estimator_(&estimator), settings_(settings), bins_(settings.side), seed_(seed) {
@@ -179,6 +181,26 @@ void VertexSampler::enter(const Round& round, VertexState& state) const {
     }
 }
 
+/// Whether a vertex' light is not that of the space around it.
+bool VertexSampler::isInside(const Vec3& position, const VertexQuality& quality, TransportCounters& counters) const {
+    // Seen from behind alone is no proof: walls without thickness have backs as well. Inside a closed solid it is dark, too.
+    constexpr float kAlmostAll = 0.9F;
+    if (quality.backFaces > kAlmostAll && quality.meanLux() == 0) return true;
+    if (scene_.needs.dielectrics && !mediaAt(scene_, position, counters).inAir()) return true;
+    // On a surface a vertex sees both of its sides, and would pass the light of one on to the other.
+    const float reach = std::max(kOnSurfaceM, 64 * spacingAt(position));
+    std::array<Ray, 3> rays;
+    std::array<std::uint8_t, 3> met{};
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 direction(0, 0, 0);
+        direction[axis] = 1;
+        rays[static_cast<std::size_t>(axis)] = {position - direction * reach, 0, direction, 2 * reach};
+    }
+    scene_.raycaster.occluded(rays, met, Targets::Surfaces);
+    counters.rays += rays.size();
+    return met[0] != 0 || met[1] != 0 || met[2] != 0;
+}
+
 void VertexSampler::sample(const Vec3& position, std::uint32_t samples, VertexState& state, TransportCounters& counters) const {
     const std::uint64_t stream = streamSeed(seed_, placeHash(position));
     if (state.quality.samples == 0) {
@@ -200,10 +222,7 @@ void VertexSampler::sample(const Vec3& position, std::uint32_t samples, VertexSt
         }
         enter(round, state);
     }
-    // Seen from behind alone is no proof: walls without thickness have backs as well. Inside a closed solid it is dark, too.
-    constexpr float kAlmostAll = 0.9F;
-    const bool inGlass = scene_.needs.dielectrics && !mediaAt(scene_, position, counters).inAir();
-    state.quality.inside = inGlass || (state.quality.backFaces > kAlmostAll && state.quality.meanLux() == 0);
+    state.quality.inside = isInside(position, state.quality, counters);
 }
 
 }  // namespace luxdeck

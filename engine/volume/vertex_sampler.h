@@ -8,6 +8,9 @@
 
 namespace luxdeck {
 
+/// A stream of random numbers for each place, whatever its number in a lattice.
+std::uint64_t placeHash(const Vec3& position);
+
 /// All that is known of one vertex.
 struct VertexState {
     std::vector<Rgb> direct, indirect;  // #B, means over the samples [cd/m^2]
@@ -41,6 +44,7 @@ private:
     void aim(const Vec3& position, std::uint64_t stream, std::uint32_t index, Round& round) const;
     void seekSources(const Receiver& at, std::uint64_t stream, std::uint32_t index, Round& round, TransportCounters& counters) const;
     void seekByMirrors(const Receiver& at, std::uint64_t stream, std::uint32_t index, Round& round, TransportCounters& counters) const;
+    [[nodiscard]] bool isInside(const Vec3& position, const VertexQuality& quality, TransportCounters& counters) const;
     void ignore(RadianceSample& sample) const;
     void enter(const Round& round, VertexState& state) const;
     [[nodiscard]] std::array<float, 6> axisLux(const Round& round) const;

@@ -62,9 +62,9 @@ struct VertexQuality {
     float backFaces = 0;                 // part of the rays that met a surface from behind
     float nearestM = 0;                  // to the nearest surface met
     std::uint32_t rejected = 0;          // samples that were not finite or negative, left out
-    bool inside = false;                 // a solid: what is around is seen from behind, and dark; or the solid is of glass
+    bool inside = false;                 // a solid, or lying on a surface
 
-    /// Inside a solid, or nothing of it is known: not to be interpolated from.
+    /// Inside a solid, on a surface, or nothing of it is known: not to be interpolated from.
     [[nodiscard]] bool usable() const { return samples > 0 && !inside; }
     /// Standard error of an irradiance, rms over the six directions [lx]; infinite from one sample.
     [[nodiscard]] double standardError() const;

@@ -152,8 +152,13 @@ private:
                                                                 count, bins, bytes / 1e9, kMostBytes / 1e9)};
         volume_.direct.resize(count * bins), volume_.indirect.resize(count * bins);
         volume_.sources.resize(count), volume_.quality.resize(count);
+        recall(first);
         std::size_t slice = static_cast<std::size_t>(4 * threadCount());
         for (std::size_t next = first; next < count;) {
+            if (volume_.quality[next].samples >= samples) {
+                ++next;
+                continue;
+            }
             if (mustStop()) {
                 volume_.complete = false;
                 return {};
@@ -174,7 +179,7 @@ private:
         const std::span positions(volume_.lattice.vertices().data() + first, count);
         std::vector<VertexState> states(count);
         std::vector<std::uint8_t> worked(count);
-        for (std::size_t i = 0; i < count; ++i) states[i] = known(first + i);
+        for (std::size_t i = 0; i < count; ++i) states[i] = stateOf(first + i);
         std::vector<TransportCounters> counters(count);
         parallelFor(count, [&](std::size_t i) {
             worked[i] = states[i].quality.samples < samples ? 1 : 0;
@@ -191,10 +196,15 @@ private:
         return options_.store->keep(newPlaces, newStates);
     }
 
-    /// What is known of a vertex, from this session or an earlier one.
-    VertexState known(std::size_t vertex) const {
-        if (volume_.quality[vertex].samples == 0 && options_.store != nullptr)
-            if (auto found = options_.store->find(volume_.lattice.vertices()[vertex])) return *std::move(found);
+    /// Takes what earlier sessions knew.
+    void recall(std::size_t first) {
+        if (options_.store == nullptr) return;
+        for (std::size_t v = first; v < volume_.vertexCount(); ++v)
+            if (volume_.quality[v].samples == 0)
+                if (const auto found = options_.store->find(volume_.lattice.vertices()[v])) take(v, *found);
+    }
+
+    VertexState stateOf(std::size_t vertex) const {
         VertexState state;
         state.quality = volume_.quality[vertex];
         if (state.quality.samples == 0) return state;

@@ -34,7 +34,7 @@ VolumeSettings settingsFor(double effort) {
 
 Result<std::unique_ptr<RadianceEstimator>> makeVolumeGatherEstimator(const TransportScene& scene, const AlgorithmSettings& settings) {
     if (scene.scene.triangleCount() == 0) return makeFieldGather(scene, settings, std::make_unique<Dark>(), 0);
-    const auto path = makePathEstimator(scene, settings);
+    auto path = makePathEstimator(scene, settings);
     if (!path) return path.error();
     BuildOptions options;
     options.seed = settings.seed;
@@ -43,7 +43,7 @@ Result<std::unique_ptr<RadianceEstimator>> makeVolumeGatherEstimator(const Trans
     auto volume = buildVolume(scene, **path, settingsFor(settings.effort), options, progress);
     if (!volume) return volume.error();
     if (!volume->complete) return Error{ErrorCode::Cancelled, "interrupted while the volume was built"};
-    auto field = VolumeIrradiance::create(*std::move(volume), scene.raycaster);
+    auto field = VolumeIrradiance::create(*std::move(volume), scene.raycaster, *std::move(path));
     if (!field) return field.error();
     const std::size_t bytes = (*field)->bytes();
     return makeFieldGather(scene, settings, *std::move(field), bytes);
