@@ -1,6 +1,7 @@
 #include "engine/algorithms/registry.h"
 
 #include "engine/transport/ambient/ambient_estimator.h"
+#include "engine/transport/control/controlled_estimator.h"
 #include "engine/transport/direct/direct_estimator.h"
 #include "engine/transport/enclosure.h"
 #include "engine/transport/irradiance_cache/irradiance_cache_estimator.h"
@@ -21,6 +22,8 @@ const std::vector<Algorithm>& algorithms() {
         {"shared", "unbiased path tracing whose neighbouring sensors share the light that their paths found", true, makeSharedEstimator},
         {"volume_gather", "one bounce from surfaces that an irradiance volume lights: quick after its set-up, biased in corners", true, makeVolumeGatherEstimator,
          0.04, {}},
+        {"controlled", "unbiased: neighbouring sensors share paths, whose missing ends a coarse radiosity solution stands for", true,
+         makeControlledEstimator},
         {"direct", "light straight from luminaires and sky, no interreflection", false, makeDirectEstimator},
         {"ambient", "direct light and a constant ambient illuminance (--ambient LX, zero by default)", false,
          makeAmbientEstimator},

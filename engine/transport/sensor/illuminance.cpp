@@ -176,6 +176,7 @@ TransportCounters gatherIlluminance(const TransportScene& scene, const TracerSet
     std::vector<FirstBounce> bounces(sensors.share ? queries.size() : 0);
     tracer.bounces = bounces;
     tracer.goesOn = sensors.share ? sensors.goesOn : 1;
+    if (sensors.share) tracer.control = sensors.control, tracer.controlWeight = sensors.controlWeight;
     counters += tracePaths(scene, tracer, directions, radiances);
     if (sensors.share) {
         std::vector<Rgb> reflected(queries.size());

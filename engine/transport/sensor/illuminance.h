@@ -12,6 +12,8 @@ struct SensorSettings {
     int lightSamples = 1;  // shadow rays to chosen lights for every path
     float goesOn = 1;      // with share: the part of the paths that go on from a matte surface that the group sees
     bool share = false;    // sensors of a group take what each other's paths found on matte surfaces
+    const IrradianceField* control = nullptr;  // with share: TracerSettings::control
+    float controlWeight = 1;
 };
 
 /// Illuminance by shadow rays to chosen lights and one path from a direction chosen by the sensor's own

@@ -17,10 +17,8 @@ namespace {
 /// Of the matte vertices, those that look for lights in mirrors.
 constexpr float kMirrorShare = 0.25F;
 
-bool isFiniteAndPositive(const Rgb& c, RayFailure& failure) {
-    if (!isFinite(c)) failure = RayFailure::NotFinite;
-    else if (c.min() < 0) failure = RayFailure::Negative;
-    return failure == RayFailure::None;
+RayFailure failureOf(const Rgb& c, bool mayBeNegative) {
+    return !isFinite(c) ? RayFailure::NotFinite : c.min() < 0 && !mayBeNegative ? RayFailure::Negative : RayFailure::None;
 }
 
 }  // namespace
@@ -286,7 +284,7 @@ bool PathBatch<S>::looksAlike(const Path& path, const Hit& hit, const SurfacePoi
 /// Others share what is found beyond a matte first bounce: fewer paths need to go on.
 template <Spectrum S>
 void PathBatch<S>::thinOut(Path& path, const SurfacePoint& point) {
-    if (settings_.goesOn >= 1 || point.material->kind != MaterialKind::Matte) return;
+    if (settings_.goesOn >= 1 || settings_.control != nullptr || point.material->kind != MaterialKind::Matte) return;
     path.ended = path.numbers.next1D() >= settings_.goesOn;
     path.throughput *= 1 / settings_.goesOn;
 }
@@ -314,10 +312,11 @@ void PathBatch<S>::scatterRough(Path& path, const Hit& hit, const SurfacePoint& 
     if (!last && !settings_.ambientRadiance.isBlack())
         add(path.query, 2, kFromAmbient, path.throughput * bsdf.albedo(wo.z) * fromRgb<S>(settings_.ambientRadiance), S(0.0F));
     const bool asks = !last && settings_.field != nullptr && path.reflections >= settings_.fieldAfter && point.material->kind == MaterialKind::Matte;
-    if (asks) askField(path, hit, point, here, bsdf.albedo(wo.z));
+    if (asks) askField(path, hit, point, here, bsdf.albedo(wo.z), 1), path.mostReflections = path.reflections + 1;
     if (!last) connectLight(path, here, point, frame, wo, bsdf);
     if (!last && path.reflections + 1 < path.mostReflections && !scene_.mirrors.empty())
         connectByMirror(path, here, point, frame, wo, bsdf);
+    if (!goesBeyondControl(path, hit, point, here, bsdf.albedo(wo.z))) return;
     scatter(path, here, point, frame, wo, bsdf);
     path.straight = false;
 }
@@ -432,19 +431,31 @@ void PathBatch<S>::traceShadows() {
     shadowRays_.clear();
 }
 
-/// All indirect light of a matte surface at once; the path may still meet light straight.
 template <Spectrum S>
-void PathBatch<S>::askField(Path& path, const Hit& hit, const SurfacePoint& point, const Receiver& here, const S& albedo) {
-    path.mostReflections = path.reflections + 1;
+void PathBatch<S>::askField(const Path& path, const Hit& hit, const SurfacePoint& point, const Receiver& here, const S& albedo, float factor) {
     fieldPoints_.push_back({here.position, point.shadingNormal, point.geometricNormal, hit.mesh, hit.triangle, hit.u, hit.v, point.frontFace});
-    fromField_.push_back({path.throughput * albedo * (1 / kPi), path.query, path.reflections + 2, diffusePart(path, S(1.0F), S(1.0F))});
+    fromField_.push_back({path.throughput * albedo * (factor / kPi), path.query, path.reflections + 2, diffusePart(path, S(1.0F), S(1.0F))});
+}
+
+/// The field's word is a control variate: what it adds to the paths that go on and to those that do not is zero in the mean.
+template <Spectrum S>
+bool PathBatch<S>::goesBeyondControl(Path& path, const Hit& hit, const SurfacePoint& point, const Receiver& here, const S& albedo) {
+    const bool controlled = settings_.control != nullptr && path.straight && settings_.bounces[path.query].met;
+    if (!controlled || point.material->kind != MaterialKind::Matte) return true;
+    path.ended = path.numbers.next1D() >= settings_.goesOn;
+    const float kept = path.ended ? 0 : 1 / settings_.goesOn;
+    askField(path, hit, point, here, albedo, settings_.controlWeight * (1 - kept));
+    path.throughput *= kept;
+    return !path.ended;
 }
 
 template <Spectrum S>
 void PathBatch<S>::takeFromField() {
     if (fieldPoints_.empty()) return;
     fieldLux_.resize(fieldPoints_.size());
-    settings_.field->indirect(fieldPoints_, fieldLux_);
+    (settings_.control != nullptr ? settings_.control : settings_.field)->indirect(fieldPoints_, fieldLux_);
+    for (auto& lux : fieldLux_)
+        if (settings_.control != nullptr && !isFinite(lux)) lux = Rgb{};  // no word, to those that go on as to the others
     for (std::size_t i = 0; i < fieldPoints_.size(); ++i) {
         const auto& from = fromField_[i];
         add(from.query, from.reflections, kFromAmbient, from.weight * fromRgb<S>(fieldLux_[i]), from.diffuse);
@@ -470,10 +481,10 @@ void PathBatch<S>::add(std::uint32_t query, int reflections, LightSource source,
 template <Spectrum S>
 TransportCounters PathBatch<S>::finish() {
     for (auto& sample : samples_) {
-        const bool good = sample.failure == RayFailure::None && isFiniteAndPositive(sample.emitted, sample.failure) &&
-                          isFiniteAndPositive(sample.direct, sample.failure) &&
-                          isFiniteAndPositive(sample.indirect, sample.failure);
-        if (good) continue;
+        auto& failure = sample.failure;
+        for (const auto* part : {&sample.emitted, &sample.direct, &sample.indirect})
+            if (failure == RayFailure::None) failure = failureOf(*part, settings_.control != nullptr && part == &sample.indirect);
+        if (failure == RayFailure::None) continue;
         sample.emitted = sample.direct = sample.indirect = Rgb{};
         ++counters_.rejected;
     }

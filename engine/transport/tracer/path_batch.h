@@ -43,6 +43,10 @@ struct TracerSettings {
                                                  // `direct` being what was emitted
     std::span<FirstBounce> bounces;              // empty, or filled for each query
     float goesOn = 1;                            // with bounces: the part of the paths that go on from a matte one
+    const IrradianceField* control = nullptr;    // with bounces, not null: lights are sought at a matte one by all paths;
+                                                 // what lies beyond is the field's word for all, and for the part that
+                                                 // goes on what the path found instead. Samples may be negative
+    float controlWeight = 1;                     // of the field's word: any value is exact in the mean
 };
 
 /// A batch of light paths, followed together from where light is asked for towards the lights: trace all
@@ -125,7 +129,8 @@ private:
     void connectByMirror(Path& path, const Receiver& here, const SurfacePoint& point, const Frame& frame, const Vec3& wo, const B& bsdf);
     void traceMirrored();
     void traceShadows();
-    void askField(Path& path, const Hit& hit, const SurfacePoint& point, const Receiver& here, const S& albedo);
+    void askField(const Path& path, const Hit& hit, const SurfacePoint& point, const Receiver& here, const S& albedo, float factor);
+    [[nodiscard]] bool goesBeyondControl(Path& path, const Hit& hit, const SurfacePoint& point, const Receiver& here, const S& albedo);
     void takeFromField();
     void removeEnded();
     /// Adds to the part that light with this many reflections belongs to.
