@@ -115,5 +115,13 @@ TEST(IntervalCoverage, HoldsWhereSensorsShareLight) {
     expectWithin(coverages(settings, Pane::With), 93, 97);
 }
 
+// A cache that stands for missing ends of paths: samples may be negative, intervals are as honest.
+TEST(IntervalCoverage, HoldsWhereACacheIsTheControlVariate) {
+    SolveSettings settings;
+    settings.algorithm = "controlled";
+    settings.samples = 256;
+    expectWithin(coverages(settings, Pane::With), 93, 97);
+}
+
 }  // namespace
 }  // namespace luxdeck::test

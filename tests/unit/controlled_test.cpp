@@ -123,9 +123,9 @@ TEST(Controlled, HasTheMeanThatPathsHaveWhateverTheField) {
     const Lit lit(furnishedRoom());
     for (const auto kind : {SensorKind::Planar, SensorKind::Cylindrical}) {
         const auto targets = sensors(lit, 4, 3, kind);
-        const auto path = ask(lit, *lit.estimator("path"), targets, 512, 2);
+        const auto path = ask(lit, *lit.estimator("path"), targets, 256, 2);
         for (const auto& [name, field] : fields(lit)) {
-            const auto got = ask(lit, *controlled(lit, field), targets, 256);
+            const auto got = ask(lit, *controlled(lit, field), targets, 128);
             expectSame(got, path, name);
             EXPECT_EQ(got.counters.rejected, 0U) << name;
         }
