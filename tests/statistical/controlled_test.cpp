@@ -97,7 +97,7 @@ TEST_P(ControlledOnProjects, HasNoMeanErrorOverAHundredSeeds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Projects, ControlledOnProjects, testing::Values("office", "classroom", "gallery"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& project) { return std::string(project.param); });
 
 }  // namespace
 }  // namespace luxdeck::test
