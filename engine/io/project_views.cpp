@@ -96,7 +96,7 @@ std::vector<VolumeSpec> readVolumes(const TomlTable& root) {
                             fmt::format("max[{}] is {}, expected more than min[{}], which is {}", i, volume.max[i], i, volume.min[i]));
         volume.firstLevel = table.integers<3>("first_level", 2, 256, volume.firstLevel);
         volume.secondLevel = table.integer("second_level", 1, 32, volume.secondLevel);
-        volume.bins = table.integer("bins", 2, 128, volume.bins);
+        volume.bins = table.integer("bins", 2, 64, volume.bins);
         volumes.push_back(std::move(volume));
     });
     return volumes;

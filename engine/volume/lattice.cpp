@@ -18,8 +18,8 @@ std::uint64_t keyOf(const std::array<std::uint32_t, 3>& c) {
 Result<Lattice> Lattice::create(const Box3& bounds, std::array<int, 3> cells, int split, int depth) {
     if (bounds.isEmpty() || !isFinite(bounds.min) || !isFinite(bounds.max))
         return Error{ErrorCode::InvalidArgument, "the volume's bounds are empty or not finite"};
-    if (split < 2 || split > 16 || depth < 0 || depth > 10)
-        return Error{ErrorCode::InvalidArgument, fmt::format("cells divided {} times into {}^3, expected 0 .. 10 times into 2 .. 16", depth, split)};
+    if (split < 2 || split > 31 || depth < 0 || depth > 10)
+        return Error{ErrorCode::InvalidArgument, fmt::format("cells divided {} times into {}^3, expected 0 .. 10 times into 2 .. 31", depth, split)};
     Lattice out;
     out.bounds_ = bounds, out.counts_ = cells, out.split_ = split, out.depth_ = depth;
     double finest = 1;

@@ -31,7 +31,7 @@ Result<Lattice> layOut(const Scene& scene, const VolumeSettings& s) {
     if (byLight && !(s.refineBelow < 10 && s.refineDepth >= 1 && s.refineDepth <= 8))
         return Error{ErrorCode::InvalidArgument, fmt::format("refinement below {} to depth {}, expected up to 10 and 1 .. 8", s.refineBelow, s.refineDepth)};
     const bool divides = !byLight && s.secondLevel >= 2 + 1;
-    if (!byLight && s.secondLevel > 17) return Error{ErrorCode::InvalidArgument, fmt::format("{} vertices along a second level, expected up to 17", s.secondLevel)};
+    if (!byLight && s.secondLevel > 32) return Error{ErrorCode::InvalidArgument, fmt::format("{} vertices along a second level, expected up to 32", s.secondLevel)};
     auto lattice = Lattice::create(*bounds, cells, divides ? s.secondLevel - 1 : 2, byLight ? s.refineDepth : divides ? 1 : 0);
     if (lattice && divides) divideByGeometry(*lattice, scene);
     return lattice;

@@ -34,6 +34,7 @@ const std::map<std::string, std::string>& reachedThrough() {
         {"engine/io/rgbe_header.h", "rgbe"},
         {"engine/io/toml_reader.h", "project"},
         {"engine/io/xform.h", "rad"},
+        {"engine/volume/volume_header.h", "volume"},
     };
     return table;
 }
@@ -49,7 +50,7 @@ bool declaresReader(const fs::path& header) {
 Findings unfuzzedFindings(const fs::path& root) {
     std::string targets;
     Findings findings;
-    static const std::regex target("tests/fuzz/(\\w+)_fuzz\\.cpp"), reading("(engine/io|analysis|cli|tonemap)/.*\\.h");
+    static const std::regex target("tests/fuzz/(\\w+)_fuzz\\.cpp"), reading("(engine/io|engine/volume|analysis|cli|tonemap)/.*\\.h");
     std::smatch match;
     for (const std::string& file : filesBelow(root)) {
         if (!std::regex_match(file, match, target)) continue;
