@@ -111,7 +111,7 @@ TEST(Panorama, NoPixelIsMissed) {
     for (const auto& c : radiance) sum += c.g * bins.solidAngleSr();
     const double top = 90 - 9 * 180.0 / 32, bottom = top - 180.0 / 32;
     const double pixel = (std::sin(top * kDegree) - std::sin(bottom * kDegree)) * 2 * kPiD / 64;
-    EXPECT_NEAR(sum, 1e6 * pixel, 2e-3 * 1e6 * pixel);  // bins' areas are counted by parts of pixels, 4 across a bin or more
+    EXPECT_NEAR(sum, 1e6 * pixel, 5e-3 * 1e6 * pixel);  // bins' areas are counted by parts of pixels, 48 across a bin: a quarter of 1 / 48 at worst
 }
 
 TEST(Panorama, WhatItDoesNotShowHasTheDefault) {
