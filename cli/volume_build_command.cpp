@@ -34,23 +34,8 @@ struct Options {
     Effort effort;
 };
 
-/// The project's own volume, if it has one.
-Result<VolumeSettings> settingsOfProject(const Project& project, const std::string& name) {
-    VolumeSettings s;
-    for (const auto& spec : project.volumes) {
-        if (!name.empty() && spec.name != name) continue;
-        s.bounds = Box3(project.scene.toRebased(spec.min), project.scene.toRebased(spec.max));
-        s.firstLevel = spec.firstLevel, s.secondLevel = spec.secondLevel, s.side = spec.bins;
-        return s;
-    }
-    if (name.empty()) return s;
-    std::string known;
-    for (const auto& spec : project.volumes) known += (known.empty() ? "" : ", ") + spec.name;
-    return Error{ErrorCode::InvalidArgument, fmt::format("no volume \"{}\", expected one of: {}", name, known.empty() ? "none is in the project" : known)};
-}
-
 Result<VolumeSettings> settingsOf(const Options& o, const Project& project) {
-    const auto own = settingsOfProject(project, o.name);
+    const auto own = volumeSettingsOf(project, o.name);
     if (!own) return own;
     auto s = *own;
     const auto& b = o.bounds;

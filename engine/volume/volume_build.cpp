@@ -242,6 +242,20 @@ private:
 
 }  // namespace
 
+Result<VolumeSettings> volumeSettingsOf(const Project& project, const std::string& name) {
+    VolumeSettings s;
+    for (const auto& spec : project.volumes) {
+        if (!name.empty() && spec.name != name) continue;
+        s.bounds = Box3(project.scene.toRebased(spec.min), project.scene.toRebased(spec.max));
+        s.firstLevel = spec.firstLevel, s.secondLevel = spec.secondLevel, s.side = spec.bins;
+        return s;
+    }
+    if (name.empty()) return s;
+    std::string known;
+    for (const auto& spec : project.volumes) known += (known.empty() ? "" : ", ") + spec.name;
+    return Error{ErrorCode::InvalidArgument, fmt::format("no volume \"{}\", expected one of: {}", name, known.empty() ? "none is in the project" : known)};
+}
+
 Result<Box3> volumeBounds(const Scene& scene, const VolumeSettings& settings) {
     if (!settings.bounds.isEmpty()) return settings.bounds;
     auto box = scene.bounds();

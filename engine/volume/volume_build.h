@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/progress.h"
+#include "engine/io/project.h"
 #include "engine/transport/radiance_estimator.h"
 #include "engine/volume/vertex_sampler.h"
 #include "engine/volume/volume.h"
@@ -37,6 +38,11 @@ struct BuildOptions {
 /// errors  InvalidArgument: settings out of range, a scene without extent; OutOfResources: memory, the store
 Result<IrradianceVolume> buildVolume(const TransportScene& scene, const RadianceEstimator& estimator, const VolumeSettings& settings,
                                      const BuildOptions& options, const Progress& progress);
+
+/// What a project's [[volume]] of this name asks for; with an empty name the first one, or the defaults where there is none.
+///
+/// errors  InvalidArgument: no such volume (the message lists them)
+Result<VolumeSettings> volumeSettingsOf(const Project& project, const std::string& name);
 
 /// Bounds of a volume: those asked for, or those of the scene drawn in by the inset.
 ///
