@@ -1,5 +1,6 @@
 #ifdef LUXDECK_REPORT
 
+#include "analysis/compare/compare_output.h"
 #include "analysis/grids/measurement.h"
 #include "analysis/pictures/render.h"
 #include "analysis/report/pdf_writer.h"
@@ -23,13 +24,14 @@
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace luxdeck::cli {
 
 namespace {
 
 struct Options {
-    std::string project, output, from, pictures;
+    std::string project, output, from, pictures, compare;
     Effort effort;
     double viewSeconds = 6;
     bool falseColour = true;
@@ -149,6 +151,18 @@ public:
     [[nodiscard]] const std::string& displayTransform() const { return displayTransform_; }
 };
 
+/// The comparison that goes in; one of another scene would be a page about another room.
+Result<std::optional<std::string>> comparisonOf(const Options& o, const Project& project) {
+    if (o.compare.empty()) return std::optional<std::string>();
+    const auto bytes = readFile(o.compare);
+    if (!bytes) return bytes.error();
+    const auto comparison = readCompareJson(*bytes, o.compare);
+    if (!comparison) return comparison.error();
+    if (comparison->sceneHash != project.scene.hash)
+        return Error{ErrorCode::InvalidArgument, fmt::format("is of scene {}, expected {}: compare this project anew", comparison->sceneHash, project.scene.hash), o.compare};
+    return std::optional(compareJson(*comparison));
+}
+
 /// The PDF and its twin; a device has no place beside it for one.
 Result<void> writeBoth(const ReportContents& contents, const Options& o) {
     const auto json = toJson(contents);
@@ -184,10 +198,13 @@ Exit runReport(const Options& o, Context& context) {
     }
     auto loaded = load(o.project, context.common.quiet);
     if (!loaded) return complain(loaded.error());
+    const auto comparison = comparisonOf(o, (*loaded)->project);
+    if (!comparison) return complain(comparison.error());
     auto solved = runSolve(**loaded, o.effort, context, 0.02);
     if (!solved) return complain(solved.error());
     auto contents = gatherReport((*loaded)->project, *std::move(solved), createdNow());
     contents.methodText = methodText(o.effort.algorithm);
+    contents.comparison = *comparison;
     ViewPages pages(**loaded, o, context);
     bool first = true;
     for (const auto& view : (*loaded)->project.views) {
@@ -213,6 +230,7 @@ Command addReport(CLI::App& program) {
         if (const auto wrong = parseSeconds(text, o->viewSeconds); !wrong.empty()) throw CLI::ValidationError("--view-time", wrong);
     }, "Time for each picture in seconds (default 6)")->type_name("S");
     app->add_option("--pictures", o->pictures, "Folder for the pictures themselves: .exr in cd/m² and .png")->check(CLI::ExistingDirectory)->type_name("DIR");
+    app->add_option("--compare", o->compare, "Pages about a comparison of algorithms: compare.json of luxdeck compare -o FOLDER")->excludes(from)->type_name("F.json");
     app->add_flag("!--no-false-colour", o->falseColour, "Leave out the false-colour page");
     addEffort(*app, o->effort);
     app->final_callback([o] {

@@ -1,5 +1,7 @@
 #include "analysis/report/pdf_writer.h"
 
+#include "analysis/compare/compare_output.h"
+#include "analysis/report/compare_page.h"
 #include "analysis/report/convergence_page.h"
 #include "analysis/report/cover_page.h"
 #include "analysis/report/method_page.h"
@@ -38,6 +40,7 @@ void layOut(QPdfWriter& writer, const ReportContents& contents, const QString& f
     for (std::size_t i = 0; i < contents.solve.grids.size(); ++i) drawGridPage(document, i);
     drawSchedule(document);
     drawConvergence(document);
+    drawComparison(document);
     drawMethod(document);
     found = document.pagination();
 }
@@ -87,6 +90,8 @@ Result<std::string> pdfBytes(const ReportContents& contents) {
     ensureApplication();
     const FixedHashOrder fixedOrder;
     if (auto checked = checkViews(contents); !checked) return checked.error();
+    if (contents.comparison)
+        if (const auto comparison = readCompareJson(*contents.comparison, "comparison"); !comparison) return comparison.error();
     const auto installed = requireFont();
     if (!installed) return installed.error();
     const QString& family = *installed;

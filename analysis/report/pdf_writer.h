@@ -11,7 +11,7 @@ namespace luxdeck {
 /// Needs no display: without a QGuiApplication one is made on Qt's offscreen platform, in the first calling
 /// thread, and kept.
 ///
-/// errors  InvalidArgument (a view's picture cannot be read, the folder is missing), OutOfResources (disk;
+/// errors  InvalidArgument (a view's picture cannot be read, the folder is missing), Parse (the comparison), OutOfResources (disk;
 ///         no font is installed)
 Result<void> writePdf(const ReportContents& contents, const std::filesystem::path& path);
 

@@ -72,6 +72,7 @@ struct ReportContents {
     RoomPlan plan;
     SolveResult solve;
     std::vector<ReportView> views;
+    std::optional<std::string> comparison;  // of algorithms on this project, as compareJson() writes it
     std::string methodText;          // what the algorithm does, a paragraph
     std::vector<NamedText> facts;    // machine, libraries, settings: printed on the method page as they are
 };

@@ -118,7 +118,7 @@ template <class A> void visit(A& a, SolveResult& x) {
 template <class A> void visit(A& a, ReportContents& x) {
     a("info", x.info), a("created", x.created), a("schedule", x.schedule), a("floorAreaM2", x.floorAreaM2);
     a("floorAreaSource", x.floorAreaSource), a("materials", x.materials), a("plan", x.plan), a("solve", x.solve);
-    a("views", x.views), a("methodText", x.methodText), a("facts", x.facts);
+    a("views", x.views), a("comparison", x.comparison), a("methodText", x.methodText), a("facts", x.facts);
 }
 
 }  // namespace luxdeck::fields
