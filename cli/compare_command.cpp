@@ -134,6 +134,7 @@ Command addCompare(CLI::App& program) {
     addParsed(*app, "--budget", s.budgetSeconds, parseSeconds, "Time of the largest run of each algorithm (default 4 s); each rung below takes half", "S");
     app->add_option_function<std::uint32_t>("--samples", [o](std::uint32_t n) { o->settings.samples = n; },
         "Exactly this many paths for each point or pixel of the largest run, instead of a budget: values depend on the seed alone")->check(CLI::Range(1, 1 << 24))->type_name("N");
+    app->add_flag("--core-time", s.coreTime, "Times and budgets in seconds of all cores together: for machines that others use too");
     app->add_option("--rungs", s.rungs, "Budgets, each half of the next")->check(CLI::Range(2, 12))->capture_default_str();
     app->add_option("--repetitions", s.repetitions, "Of each run with independent seeds: the errors' own errors are from these")->check(CLI::Range(3, 64))->capture_default_str();
     app->add_option("--reference", s.referenceAlgorithm, "Algorithm of the reference: an unbiased one")->capture_default_str()->type_name("NAME");

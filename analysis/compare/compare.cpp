@@ -59,8 +59,9 @@ class Ladder {
 public:
     Ladder(const Project& project, const LitScene& lit, const CompareSettings& settings, std::vector<std::unique_ptr<Subject>> subjects,
            const Progress& progress)
-        : lit_(lit), settings_(settings), subjects_(std::move(subjects)), progress_(progress) {
+        : lit_(lit), settings_(settings), subjects_(std::move(subjects)), progress_(progress), clock_(settings.coreTime ? coreSeconds : wallSeconds) {
         c_.project = project.info.name, c_.seed = settings.seed, c_.threads = threadCount(), c_.repetitions = settings.repetitions;
+        c_.coreTime = settings.coreTime;
         c_.sceneHash = project.scene.hash, c_.projectHash = project.fileHash, c_.version = kVersion;
         for (const auto& name : settings.algorithms) {
             const auto* known = algorithmNamed(name);
@@ -108,7 +109,7 @@ private:
         for (std::size_t a = 0; a < c_.algorithms.size() && !progress_.cancelled(); ++a) {
             auto& algorithm = c_.algorithms[a];
             tell(fmt::format("preparing {}", algorithm.name));
-            const auto cost = settings_.samples ? plainSetup(algorithm.name) : measureSetup(algorithm.name, lit_, settingsOf(algorithm.name, 1, 0));
+            const auto cost = settings_.samples ? plainSetup(algorithm.name) : measureSetup(algorithm.name, lit_, settingsOf(algorithm.name, 1, 0), clock_);
             if (!cost && cost.error().code == ErrorCode::Cancelled) return {};
             if (!cost) {
                 algorithm.refused = cost.error().text();
@@ -125,7 +126,7 @@ private:
 
     /// With given numbers of samples the clock has no say, so only whether the algorithm can be made is asked.
     [[nodiscard]] Result<SetupCost> plainSetup(const std::string& algorithm) const {
-        const auto made = prepare(algorithm, lit_, settingsOf(algorithm, effortOfRung(0), 0));
+        const auto made = prepare(algorithm, lit_, settingsOf(algorithm, effortOfRung(0), 0), clock_);
         if (!made) return made.error();
         return SetupCost{};
     }
@@ -138,14 +139,16 @@ private:
             const auto& algorithm = c_.algorithms[contender.algorithm].name;
             const auto& subject = *subjects_[contender.subject];
             const double least = settings_.budgetSeconds * std::ldexp(1.0, 1 - settings_.rungs);
-            const auto made = prepare(algorithm, lit_, settingsOf(algorithm, costs_[contender.algorithm].effortFor(kSetupShare * least), 0));
+            const auto made = prepare(algorithm, lit_, settingsOf(algorithm, costs_[contender.algorithm].effortFor(kSetupShare * least), 0), clock_);
             if (!made) return made.error().code == ErrorCode::Cancelled ? Result<void>{} : made.error();
             std::uint32_t samples = subject.leastSamples();
             while (true) {
+                const double begun = clock_();
                 const auto measured = subject.measure(*made->estimator, samples, streamSeed(settings_.seed, samples, kPilotPurpose),
                                                       fmt::format("rate of {}", algorithm), progress_);
-                contender.secondsPerSample = measured.seconds / samples;
-                if (!measured.whole || measured.seconds > 0.2 * least || samples >= kMostSamples / 4) break;
+                const double seconds = clock_() - begun;
+                contender.secondsPerSample = seconds / samples;
+                if (!measured.whole || seconds > 0.2 * least || samples >= kMostSamples / 4) break;
                 samples *= 4;
             }
         }
@@ -184,15 +187,17 @@ private:
         for (int r = 0; r < settings_.repetitions; ++r) {
             const auto stage = tell(stageOf(contender, rung, r));
             const auto item = static_cast<std::uint64_t>(rung) * 4096 + static_cast<std::uint64_t>(r);
-            const auto made = prepare(algorithm, lit_, settingsOf(algorithm, plan.effort, item + 1));
+            const auto made = prepare(algorithm, lit_, settingsOf(algorithm, plan.effort, item + 1), clock_);
             if (!made) {
                 if (made.error().code != ErrorCode::Cancelled) c_.warnings.push_back(fmt::format("{} with effort {:.3g}: {}", algorithm, plan.effort, made.error().text()));
                 return;
             }
             const auto seed = streamSeed(streamSeed(settings_.seed, streamOf(algorithm)), item, kRunPurpose + contender.subject);
+            const double begun = clock_();
             auto measured = subject.measure(*made->estimator, plan.samples, seed, stage, progress_);
             if (!measured.whole) return;
-            setups.push_back(made->seconds), totals.push_back(made->seconds + measured.seconds), rates.push_back(measured.seconds / plan.samples);
+            const double seconds = clock_() - begun;
+            setups.push_back(made->seconds), totals.push_back(made->seconds + seconds), rates.push_back(seconds / plan.samples);
             values.push_back(std::move(measured.values));
             out.preparedBytes = std::max<std::uint64_t>(out.preparedBytes, made->estimator->bytes());
             out.rejected += measured.rejected;
@@ -226,19 +231,20 @@ private:
                 addPlaces(*subjects_[contender.subject], references_[contender.subject], c_.algorithms[contender.algorithm].name, contender.values, c_);
         summarize(c_);
         addWarnings(c_);
-        c_.seconds = clock_.seconds();
+        c_.seconds = watch_.seconds();
     }
 
     const LitScene& lit_;
     const CompareSettings& settings_;
     std::vector<std::unique_ptr<Subject>> subjects_;
     const Progress& progress_;
+    RunClock clock_;
     std::vector<ReferenceFields> references_;        // of the subjects, in order; fewer when interrupted
     std::map<std::size_t, SetupCost> costs_;         // by algorithm
     std::vector<Contender> contenders_;
     std::size_t runsBegun_ = 0;
     Comparison c_;
-    Stopwatch clock_;
+    Stopwatch watch_;
 };
 
 Result<void> checkSettings(const CompareSettings& s) {

@@ -19,6 +19,7 @@ struct CompareSettings {
     std::uint64_t seed = 1;
     double budgetSeconds = 4;                  // of the largest run; each rung below has half
     std::optional<std::uint32_t> samples;      // paths for each point or pixel of the largest run, instead: nothing is measured by the clock
+    bool coreTime = false;                     // all times, the budgets' too, are seconds of all cores together: others' work on the machine does not count
     int rungs = 5;                             // 2 .. 12
     int repetitions = 4;                       // 3 .. 64
     bool grids = true;

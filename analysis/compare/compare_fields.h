@@ -39,7 +39,7 @@ template <class A> void visit(A& a, ErrorMap& x) {
     a("subject", x.subject), a("algorithm", x.algorithm), a("grid", x.grid), a("columns", x.columns), a("rows", x.rows), a("errors", x.errors);
 }
 template <class A> void visit(A& a, Comparison& x) {
-    a("project", x.project), a("complete", x.complete), a("seed", x.seed), a("threads", x.threads), a("repetitions", x.repetitions), a("seconds", x.seconds);
+    a("project", x.project), a("complete", x.complete), a("seed", x.seed), a("threads", x.threads), a("repetitions", x.repetitions), a("seconds", x.seconds), a("coreTime", x.coreTime);
     a("algorithms", x.algorithms), a("reference", x.reference), a("grids", x.grids), a("runs", x.runs), a("slopes", x.slopes), a("timeTo", x.timeTo), a("order", x.order);
     a("worst", x.worst), a("maps", x.maps), a("warnings", x.warnings), a("sceneHash", x.sceneHash), a("projectHash", x.projectHash), a("version", x.version);
 }

@@ -48,7 +48,7 @@ std::string summaryRows(const Comparison& c, const std::string& subject) {
         if (place.subject != subject) continue;
         const auto of = [&](const auto& x) { return x.subject == subject && x.algorithm == place.algorithm; };
         const auto slope = std::ranges::find_if(c.slopes, of);
-        text += fmt::format("  {:<18} {:>5} {:>16}", place.algorithm, place.place, slope == c.slopes.end() ? "–" : fmt::format("{:.2f} ± {:.2f}", slope->slope, slope->ci95));
+        text += fmt::format("  {:<18} {:>5} {:>16}", place.algorithm, place.place, slope == c.slopes.end() ? "–" : fmt::format("{:.2f} ± {:.2f}", std::round(100 * slope->slope) / 100 + 0.0, slope->ci95));
         for (const auto& time : c.timeTo)
             if (of(time)) text += fmt::format(" {:>12}", timeText(time.time));
         text += "\n";
@@ -98,6 +98,7 @@ std::string compareText(const Comparison& c) {
     for (const auto& reference : c.reference) {
         text += fmt::format("\n{}: {} {}, reference by {} known to {:.2g} % (95 %), {} paths each, {:.1f} s{}\n", reference.subject, reference.values, reference.picture ? "pixels" : "points",
                             reference.algorithm, 100 * reference.relativeError, reference.samples, reference.seconds, reference.reused ? ", reused" : "");
+        if (c.coreTime) text += "  times are seconds of all cores together\n";
         text += fmt::format("  {:<18} {:>8} {:>8} {:>9} {:>14} {:>8} {:>8} {:>14} {:>9}\n", "algorithm", "time s", "set-up s", "samples", "rms error %", "99th %", "max %", "bias %", "prepared");
         for (const auto& run : c.runs)
             if (run.subject == reference.subject) text += runRow(run);

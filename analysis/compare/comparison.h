@@ -104,6 +104,7 @@ struct Comparison {
     std::uint64_t seed = 0;
     int threads = 0, repetitions = 0;
     double seconds = 0;            // of all
+    bool coreTime = false;         // run times are seconds of all cores together, else of the clock on the wall
     std::vector<ComparedAlgorithm> algorithms;
     std::vector<ComparedReference> reference;
     std::vector<ComparedGrid> grids;

@@ -1,8 +1,9 @@
 #include "analysis/compare/effort.h"
 
-#include "analysis/grids/sampling_run.h"
+#include <ctime>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <string>
 
@@ -18,11 +19,19 @@ constexpr double kNothingSeconds = 0.01;  // at effort 1: nothing worth half a b
 
 }  // namespace
 
-Result<Prepared> prepare(const std::string& algorithm, const LitScene& lit, const AlgorithmSettings& settings) {
-    const Stopwatch clock;
+double wallSeconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+double coreSeconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+Result<Prepared> prepare(const std::string& algorithm, const LitScene& lit, const AlgorithmSettings& settings, RunClock clock) {
+    const double begun = clock();
     auto estimator = makeEstimator(algorithm, lit.transport(), settings);
     if (!estimator) return estimator.error();
-    return Prepared{*std::move(estimator), clock.seconds()};
+    return Prepared{*std::move(estimator), clock() - begun};
 }
 
 double SetupCost::effortFor(double seconds) const {
@@ -30,11 +39,11 @@ double SetupCost::effortFor(double seconds) const {
     return std::clamp((seconds - fixedSeconds) / secondsPerEffort, kLeastEffort, kMostEffort);
 }
 
-Result<SetupCost> measureSetup(const std::string& algorithm, const LitScene& lit, AlgorithmSettings settings) {
+Result<SetupCost> measureSetup(const std::string& algorithm, const LitScene& lit, AlgorithmSettings settings, RunClock clock) {
     double first = -1;
     for (double effort = kFirstEffort;; effort *= kStep) {
         settings.effort = effort;
-        const auto made = prepare(algorithm, lit, settings);
+        const auto made = prepare(algorithm, lit, settings, clock);
         if (!made) return made.error();
         if (first < 0) first = made->seconds;
         const double grown = made->seconds - first;

@@ -9,6 +9,12 @@
 
 namespace luxdeck {
 
+/// A clock that run times are read from [s].
+using RunClock = double (*)();
+double wallSeconds();
+/// Of all threads together: on a machine that others use too, waiting does not count. Two cores at work make two seconds a second.
+double coreSeconds();
+
 /// An algorithm made ready, and what that cost.
 struct Prepared {
     std::unique_ptr<RadianceEstimator> estimator;
@@ -16,7 +22,7 @@ struct Prepared {
 };
 
 /// errors  those of makeEstimator()
-Result<Prepared> prepare(const std::string& algorithm, const LitScene& lit, const AlgorithmSettings& settings);
+Result<Prepared> prepare(const std::string& algorithm, const LitScene& lit, const AlgorithmSettings& settings, RunClock clock);
 
 /// How the time of an algorithm's preparation grows with its effort.
 struct SetupCost {
@@ -32,7 +38,7 @@ struct SetupCost {
 ///
 /// settings  without an effort
 /// errors    those of makeEstimator()
-Result<SetupCost> measureSetup(const std::string& algorithm, const LitScene& lit, AlgorithmSettings settings);
+Result<SetupCost> measureSetup(const std::string& algorithm, const LitScene& lit, AlgorithmSettings settings, RunClock clock);
 
 /// The largest memory that the process has had since resetPeak() [bytes]; 0 where the system does not tell (only Linux does).
 std::size_t peakBytes();

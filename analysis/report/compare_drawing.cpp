@@ -100,11 +100,9 @@ void drawCurve(Canvas& canvas, const LogPlot& plot, const Curve& curve, QColor c
 QString detailOf(const Comparison& c, const std::string& subject, const Curve& curve) {
     std::string text;
     const auto slope = std::ranges::find_if(c.slopes, [&](const auto& s) { return s.subject == subject && s.algorithm == curve.algorithm; });
-    if (slope != c.slopes.end() && std::isfinite(slope->ci95)) text = fmt::format("slope {:.2f} ± {:.2f}", slope->slope, slope->ci95);
+    if (slope != c.slopes.end() && std::isfinite(slope->ci95)) text = "slope " + slopeText(*slope).toStdString();
     const auto& last = *curve.runs.back();
     if (last.bias) text += fmt::format("{}bias {:.2g} %", text.empty() ? "" : ", ", 100 * *last.bias);
-    for (auto at = text.find("-0.00 "); at != std::string::npos; at = text.find("-0.00 ")) text.erase(at, 1);
-    for (std::size_t at = text.find("-"); at != std::string::npos; at = text.find("-")) text.replace(at, 1, "−");
     return line(text);
 }
 
@@ -152,6 +150,12 @@ QColor colourOf(const Comparison& comparison, const std::string& algorithm) {
     return kColours[static_cast<std::size_t>(at) % kColours.size()];
 }
 
+QString slopeText(const ComparedSlope& slope) {
+    if (!std::isfinite(slope.ci95)) return "–";
+    const auto size = fmt::format("{:.2f}", std::abs(slope.slope));
+    return line((slope.slope < 0 && size != "0.00" ? "−" : "") + fmt::format("{} ± {:.2f}", size, slope.ci95));
+}
+
 QString referenceText(const ComparedReference& r) {
     return line(fmt::format("{} {}; reference by {}, known to ± {} (95 %)", formatCount(r.values), r.picture ? "pixels" : "points", r.algorithm, formatPercent(r.relativeError)));
 }
@@ -166,7 +170,7 @@ void drawErrorCurves(Canvas& canvas, const QRectF& area, const Comparison& c, co
     const QRectF inner(area.left() + 11, area.top() + 6, area.width() - 11 - kLabelsMm, area.height() - 6 - 10);
     const auto plot = frameOf(inner, curves, floor);
     drawFloor(canvas, plot, floor);
-    drawLogAxes(canvas, plot, "Run time in s, preparation included", "Root mean square error relative to the value, in %");
+    drawLogAxes(canvas, plot, c.coreTime ? "Run time in core seconds, preparation included" : "Run time in s, preparation included", "Root mean square error relative to the value, in %");
     const auto* guide = curves.front().runs.front();  // through the first run of the first algorithm
     drawHalfSlope(canvas, plot, guide->seconds, guide->rms.value_or(guide->rmsAtMost));
     for (std::size_t i = curves.size(); i-- > 0;) drawCurve(canvas, plot, curves[i], colourOf(c, curves[i].algorithm));

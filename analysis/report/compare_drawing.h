@@ -18,6 +18,9 @@ void drawErrorPlans(Canvas& canvas, QPointF at, double widthMm, const Comparison
 /// The height that these take; 0 when there is nothing to draw.
 double errorPlansHeightMm(const Comparison& comparison, double widthMm);
 
+/// "−0.50 ± 0.03"; a dash where its interval is not known.
+QString slopeText(const ComparedSlope& slope);
+
 /// "112 points; reference by shared, known to ± 1 %".
 QString referenceText(const ComparedReference& reference);
 

@@ -7,18 +7,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace luxdeck::report {
 
 namespace {
 
 constexpr double kPlotMm = 92;
-
-QString minus(std::string text) {
-    for (auto at = text.find('-'); at != std::string::npos; at = text.find('-')) text.replace(at, 1, "−");
-    return line(text);
-}
 
 QString timeText(const TimeTo& time) {
     if (time.how == Reached::NotReached) return "not reached";
@@ -37,11 +31,10 @@ TableRow rowOf(const Comparison& c, const ComparedPlace& place) {
     const auto of = [&](const auto& x) { return x.subject == place.subject && x.algorithm == place.algorithm; };
     const auto* run = largestRun(c, place);
     const auto slope = std::ranges::find_if(c.slopes, of);
-    const bool sloped = slope != c.slopes.end() && std::isfinite(slope->ci95);
     TableRow row{{{QString::number(place.place)}, {line(place.algorithm), type::kStrong.with(colourOf(c, place.algorithm))}}};
     row.cells.push_back({run == nullptr || !run->rms ? QString("–") : line(formatInterval({100 * *run->rms, 100 * run->rmsCi95}) + " %")});
     row.cells.push_back({run == nullptr || !run->bias ? QString("none seen") : line(formatInterval({100 * *run->bias, 100 * run->biasCi95}) + " %")});
-    row.cells.push_back({sloped ? minus(fmt::format("{:.2f} ± {:.2f}", slope->slope, slope->ci95)) : QString("–")});
+    row.cells.push_back({slope != c.slopes.end() ? slopeText(*slope) : QString("–")});
     for (const auto& time : c.timeTo)
         if (of(time) && time.error < 0.06) row.cells.push_back({timeText(time.time)});
     return row;
@@ -57,8 +50,8 @@ void drawSubject(Document& document, const Comparison& c, const ComparedReferenc
     for (const auto& place : c.order)
         if (place.subject == reference.subject) rows.push_back(rowOf(c, place));
     if (rows.empty()) return;
-    drawTable(document, {{"Place", 11}, {"Algorithm", 31}, {"Error, rms", 27, Align::Right}, {"Bias", 27, Align::Right}, {"Slope", 23, Align::Right}, {"to 5 %", 17, Align::Right},
-                         {"to 2 %", 17, Align::Right}, {"to 1 %", 17, Align::Right}}, rows);
+    drawTable(document, {{"Place", 11}, {"Algorithm", 27}, {"Error, rms", 24, Align::Right}, {"Bias", 24, Align::Right}, {"Slope", 21, Align::Right}, {"to 5 %", 21, Align::Right},
+                         {"to 2 %", 21, Align::Right}, {"to 1 %", 21, Align::Right}}, rows);
     document.y += canvas.paragraph(sheet::kLeft, document.y - 2, sheet::kTextWidth,
                                    "Error and bias of the largest run, relative to the value; bias is what repetition does not cure. Equal places cannot be told apart. Intervals are 95 %; the reference's own noise is taken out.",
                                    type::kSmall) + 3;

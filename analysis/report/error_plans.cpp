@@ -103,7 +103,7 @@ void drawScale(Canvas& canvas, const QPointF& at, double range) {
     for (int i = 0; i < kSteps; ++i) bar.setPixelColor(i, 0, colourAt((i + 0.5) / kSteps));
     canvas.image(at, {kWidth, 0}, {0, kHeight}, bar, false);
     const auto label = type::kSmall.aligned(Align::Centre);
-    for (const double value : tonemap::roundLevels(-100 * range, 100 * range, 6, false)) {
+    for (const double value : tonemap::roundLevels(-100 * range, 100 * range, 10, false)) {
         const double x = at.x() + kWidth * (0.5 + 0.005 * value / range);
         canvas.stroke(x, at.y() + kHeight, x, at.y() + kHeight + 1, ink::kGrey, 0.2);
         canvas.text(x, at.y() + kHeight + 3.9, line((value > 0 ? "+" : value < 0 ? "−" : "") + formatNumber(std::abs(value), 3)), label);

@@ -97,7 +97,7 @@ TEST(ReportCompare, ItsPagesComeBackFromTheTwin) {
     ASSERT_TRUE(again);
     EXPECT_EQ(*pdfBytes(*again), *with);
     contents.comparison = "no JSON";
-    EXPECT_FALSE(pdfBytes(contents));
+    EXPECT_FALSE(pdfBytes(contents)) << "a comparison that is none";
 }
 
 TEST(ReportCompare, ErrorPicturesShowTheSign) {
