@@ -29,6 +29,9 @@ constexpr std::uint32_t kLitPaths = 4;
 constexpr int kLitReflections = 8;
 constexpr double kLeastCoarseRays = 16;
 constexpr double kRaysPerReflection = 3;  // roughly: the path's own, to a light, about panes
+/// Neighbours face the same way by this cosine; what clamps their distances by less is let be, so that it ends soon.
+constexpr float kSameWay = 0.5F;
+constexpr float kClampStep = 0.01F;
 /// Bounds of the mean distance: the finest, of that of a typical point.
 constexpr float kFinest = 0.3F;
 
@@ -141,6 +144,7 @@ std::size_t CacheBuilder::takeRound(std::span<const Candidate> candidates, Recor
         add(c, grid, accuracy);
         ++added;
     }
+    clampByNeighbours(grid);
     return added;
 }
 
@@ -154,22 +158,33 @@ void CacheBuilder::setScale(std::span<const Candidate> candidates) {
     leastDistance_ = std::max(kFinest * distances[distances.size() / 2], 1e-6F * mostDistance_);
 }
 
-/// Neighbours' distances differ by no more than the way between them: what one record's rays missed another's met.
-/// Source: Krivanek et al. 2006, "Making Radiance and Irradiance Caching Practical: Adaptive Caching and Neighbor Clamping".
 void CacheBuilder::add(const Candidate& c, RecordGrid& grid, CacheAccuracy accuracy) {
     IrradianceRecord record;
     record.position = c.point.position, record.normal = c.point.normal, record.geometricNormal = c.point.geometricNormal;
     record.horizon = c.around.horizon;
     record.distance = std::clamp(c.around.meanDistance, leastDistance_, mostDistance_);
-    const auto neighbours = [&](auto&& f) {
-        grid.forEachNear(record.position, [&](std::uint32_t r) {
-            if (dot(records_[r].normal, record.normal) > 0.5F) f(records_[r], (records_[r].position - record.position).length());
-        });
-    };
-    neighbours([&](const IrradianceRecord& other, float apart) { record.distance = std::min(record.distance, other.distance + apart); });
-    neighbours([&](IrradianceRecord& other, float apart) { other.distance = std::min(other.distance, record.distance + apart); });
     grid.insert(static_cast<std::uint32_t>(records_.size()), record.position, accuracy.reach(record));
     records_.push_back(record);
+}
+
+/// Neighbours' distances differ by no more than the way between them: what one record's rays missed another's met.
+/// Source: Krivanek et al. 2006, "Making Radiance and Irradiance Caching Practical: Adaptive Caching and Neighbor Clamping".
+void CacheBuilder::clampByNeighbours(const RecordGrid& grid) {
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (auto& record : records_)
+            grid.forEachNear(record.position, [&](std::uint32_t r) {
+                auto& other = records_[r];
+                if (dot(other.normal, record.normal) < kSameWay) return;
+                const float apart = (other.position - record.position).length();
+                const auto clamp = [&](IrradianceRecord& a, const IrradianceRecord& b) {
+                    if (a.distance <= (b.distance + apart) * (1 + kClampStep)) return;
+                    a.distance = b.distance + apart;
+                    changed = true;
+                };
+                clamp(record, other), clamp(other, record);
+            });
+    }
 }
 
 /// As many paths for each record as the plan has, or as it can afford where paths are long.

@@ -50,6 +50,7 @@ private:
     void setScale(std::span<const Candidate> candidates);
     std::size_t takeRound(std::span<const Candidate> candidates, RecordGrid& grid, CacheAccuracy accuracy, std::size_t mostRecords);
     void add(const Candidate& candidate, RecordGrid& grid, CacheAccuracy accuracy);
+    void clampByNeighbours(const RecordGrid& grid);
     void gather(const IrradianceField* field, const HemisphereCells& hemisphere, CacheAccuracy accuracy);
     void gatherRecord(std::size_t index, const TracerSettings& tracer, const HemisphereCells& hemisphere, CacheAccuracy accuracy);
     [[nodiscard]] std::unique_ptr<IrradianceCache> finished(CacheAccuracy accuracy, std::unique_ptr<const IrradianceCache> coarser) const;
