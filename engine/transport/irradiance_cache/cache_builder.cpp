@@ -16,7 +16,10 @@ namespace luxdeck {
 namespace {
 
 /// Of the coarse cache. Its error is seen after one more reflection only, spread over a hemisphere.
-constexpr float kCoarse = 1;
+constexpr float kCoarse = 0.4F;
+/// The search begins with records this far apart, and goes on in these steps.
+constexpr float kWidest = 1.4F;
+constexpr float kStep = 0.7F;
 /// A record is placed where the next is further away than this part of its reach: wherever one looks some overlap.
 constexpr float kSpacing = 0.7F;
 /// A round of random points among which fewer than this part lack a record ends the search.
@@ -45,7 +48,7 @@ CachePlan CachePlan::of(double effort) {
     plan.accuracy = static_cast<float>(std::min(double{kCoarse}, 0.2 / std::sqrt(root)));
     plan.mostRecords = static_cast<std::size_t>(std::ceil(5000 * root));
     plan.hemisphere = HemisphereCells::about(192 * root);
-    plan.coarsePaths = 40000 * effort;
+    plan.coarsePaths = 80000 * effort;
     plan.mostRays = 6e6 * effort;
     return plan;
 }
@@ -55,28 +58,36 @@ CacheBuilder::CacheBuilder(const TransportScene& scene, const AlgorithmSettings&
       points_(scene, streamSeed(settings.seed, 0, kForPoints)) {
     tracer_.maxVertices = settings.maxVertices;
     const auto box = scene.scene.bounds();
+    reached_ = kWidest;
     mostDistance_ = box.isEmpty() ? 1.0F : std::max(box.size().length(), 1e-6F);
 }
 
 Result<std::unique_ptr<IrradianceCache>> CacheBuilder::build() {
-    float reached = std::max(kCoarse, plan_.accuracy);
-    place(CacheAccuracy(reached), plan_.mostRecords / 4);
-    gather(nullptr, coarseHemisphere(), CacheAccuracy(reached));
-    const auto byPaths = finished(CacheAccuracy(reached), nullptr);
+    const auto few = placeDownTo(std::max(kCoarse, plan_.accuracy), plan_.mostRecords / 4);
+    gather(nullptr, coarseHemisphere(), few);
+    const auto byPaths = finished(few, nullptr);
     report(0.2);
-    gather(byPaths.get(), plan_.hemisphere, CacheAccuracy(reached));
-    std::unique_ptr<const IrradianceCache> coarse = finished(CacheAccuracy(reached), nullptr);
+    gather(byPaths.get(), plan_.hemisphere, few);
+    std::unique_ptr<const IrradianceCache> coarse = finished(few, nullptr);
     report(0.3);
-    while (reached > plan_.accuracy) {
-        const float next = std::max(plan_.accuracy, 0.7F * reached);
-        if (!place(CacheAccuracy(next), plan_.mostRecords)) break;
-        reached = next;
-    }
+    const auto all = placeDownTo(plan_.accuracy, plan_.mostRecords);
     report(0.5);
-    gather(coarse.get(), plan_.hemisphere, CacheAccuracy(reached));
+    gather(coarse.get(), plan_.hemisphere, all);
     report(1);
     if (cancelled()) return Error{ErrorCode::Cancelled, "the irradiance cache was not finished"};
-    return finished(CacheAccuracy(reached), std::move(coarse));
+    return finished(all, std::move(coarse));
+}
+
+/// Places records ever more closely, until they are as close as asked for or used up.
+///
+/// returns  the accuracy at which nearly every point has a record
+CacheAccuracy CacheBuilder::placeDownTo(float accuracy, std::size_t mostRecords) {
+    while (reached_ > accuracy) {
+        const float next = std::max(accuracy, kStep * reached_);
+        if (!place(CacheAccuracy(next), mostRecords)) break;
+        reached_ = next;
+    }
+    return CacheAccuracy(reached_);
 }
 
 bool CacheBuilder::place(CacheAccuracy accuracy, std::size_t mostRecords) {

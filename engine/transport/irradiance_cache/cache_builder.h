@@ -16,7 +16,7 @@ struct CachePlan {
     float accuracy = 0.2F;           // of the finished cache
     std::size_t mostRecords = 4000;
     HemisphereCells hemisphere;      // rays of a record
-    double coarsePaths = 40000;      // of the coarse cache
+    double coarsePaths = 80000;      // of the coarse cache
     double mostRays = 6e6;           // of these, roughly
 
     static CachePlan of(double effort);
@@ -42,6 +42,7 @@ private:
         bool lit = false;
     };
 
+    CacheAccuracy placeDownTo(float accuracy, std::size_t mostRecords);
     /// False when the records were used up before.
     bool place(CacheAccuracy accuracy, std::size_t mostRecords);
     void examine(std::uint32_t index, const RecordGrid& grid, CacheAccuracy accuracy, Candidate& candidate) const;
@@ -69,6 +70,7 @@ private:
     float leastDistance_ = 0;            // records' mean distances are clamped to these [m]
     float mostDistance_ = 0;
     std::uint32_t nextPoint_ = 0;
+    float reached_ = 1;                  // accuracy at which nearly every point has a record
 };
 
 }  // namespace luxdeck
