@@ -29,8 +29,7 @@ const std::vector<Algorithm>& algorithms() {
          makeAmbientEstimator},
         {"radiosity", "light between the elements of a mesh of the matte surfaces, seen by final gather", true, makeRadiosityEstimator, 0.01},
         {"irradiance_cache", "indirect light interpolated between records on the surfaces (Ward 1988): prepared first, little noise, small bias", true,
-         makeIrradianceCacheEstimator, 0.02,
-         {{"furnace, reflectance 0.999", "a path takes 2,000 rays there: the few that set-up affords know the level of light to some percent"}}},
+         makeIrradianceCacheEstimator, 0.02},
     };
     return all;
 }
