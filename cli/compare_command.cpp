@@ -1,5 +1,6 @@
 #include "analysis/compare/compare.h"
 #include "analysis/compare/compare_output.h"
+#include "analysis/compare/volume_pairs.h"
 #include "cli/command.h"
 #include "cli/load.h"
 #include "engine/core/file.h"
@@ -25,7 +26,7 @@ struct Options {
     std::vector<std::string> project;
     std::string folder;
     std::vector<std::string> views;
-    bool grids = true;
+    bool grids = true, volumes = false;
     CompareSettings settings;
 };
 
@@ -105,8 +106,11 @@ Exit runCompare(const Options& o, Context& context) {
     const auto loaded = load(o.project, context.common.quiet);
     if (!loaded) return complain(loaded.error());
     const auto& project = (*loaded)->project;
-    const auto result = compare(project, (*loaded)->lit, settingsOf(o, project, context), context.progress);
+    auto result = compare(project, (*loaded)->lit, settingsOf(o, project, context), context.progress);
     if (!result) return complain(result.error());
+    if (o.volumes && result->complete)
+        if (const auto done = compareVolumePairs(project, (*loaded)->lit, o.settings.algorithmSettings, fs::path(o.folder) / "volumes", context.progress, *result); !done)
+            return complain(done.error());
     if (!o.folder.empty())
         if (const auto written = writeFolder(*result, o.folder); !written) return complain(written.error());
     if (!context.common.json) printWarnings(result->warnings, context.common.quiet);
@@ -129,7 +133,8 @@ Command addCompare(CLI::App& program) {
     auto& s = o->settings;
     auto* app = program.add_subcommand("compare", "Algorithms against each other on one project: error against run time, bias, memory, where the errors are");
     app->add_option("project", o->project, "project.toml")->required()->type_name("PROJECT");
-    app->add_option("-o,--output", o->folder, "Folder for compare.json, runs.csv, errors.csv, plots, error pictures and the reference; made if it is not there")->type_name("FOLDER");
+    auto* output = app->add_option("-o,--output", o->folder, "Folder for compare.json, runs.csv, errors.csv, plots, error pictures and the reference; made if it is not there")->type_name("FOLDER");
+    app->add_flag("--volumes", o->volumes, "Irradiance volumes too: the project's [[volume]] by each algorithm and by path as the reference, and their differences, as .vtu in FOLDER/volumes")->needs(output);
     app->add_option("--algorithms", s.algorithms, "Names, separated by commas; all of them when not given")->delimiter(',')->type_name("A,B");
     addParsed(*app, "--budget", s.budgetSeconds, parseSeconds, "Time of the largest run of each algorithm (default 4 s); each rung below takes half", "S");
     app->add_option_function<std::uint32_t>("--samples", [o](std::uint32_t n) { o->settings.samples = n; },

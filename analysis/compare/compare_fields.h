@@ -38,10 +38,14 @@ template <class A> void visit(A& a, ComparedGrid& x) {
 template <class A> void visit(A& a, ErrorMap& x) {
     a("subject", x.subject), a("algorithm", x.algorithm), a("grid", x.grid), a("columns", x.columns), a("rows", x.rows), a("errors", x.errors);
 }
+template <class A> void visit(A& a, ComparedVolume& x) {
+    a("algorithm", x.algorithm), a("part", x.part), a("seconds", x.seconds), a("rms", x.rms), a("p99", x.p99), a("max", x.max), a("noise", x.noise);
+    a("meanLux", x.meanLux), a("referenceMeanLux", x.referenceMeanLux);
+}
 template <class A> void visit(A& a, Comparison& x) {
     a("project", x.project), a("complete", x.complete), a("seed", x.seed), a("threads", x.threads), a("repetitions", x.repetitions), a("seconds", x.seconds), a("coreTime", x.coreTime);
     a("algorithms", x.algorithms), a("reference", x.reference), a("grids", x.grids), a("runs", x.runs), a("slopes", x.slopes), a("timeTo", x.timeTo), a("order", x.order);
-    a("worst", x.worst), a("maps", x.maps), a("warnings", x.warnings), a("sceneHash", x.sceneHash), a("projectHash", x.projectHash), a("version", x.version);
+    a("worst", x.worst), a("maps", x.maps), a("volumes", x.volumes), a("warnings", x.warnings), a("sceneHash", x.sceneHash), a("projectHash", x.projectHash), a("version", x.version);
 }
 
 }  // namespace luxdeck::compare_fields

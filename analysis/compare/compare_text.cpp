@@ -92,6 +92,20 @@ std::string errorsCsv(const Comparison& c) {
     return text;
 }
 
+namespace {
+
+std::string volumeRows(const Comparison& c) {
+    if (c.volumes.empty()) return {};
+    std::string text = "\nvolumes: irradiance over all directions of all vertices, against path\n";
+    text += fmt::format("  {:<18} {:<9} {:>8} {:>9} {:>9} {:>8} {:>8} {:>8} {:>9}\n", "algorithm", "part", "time s", "mean lx", "path lx", "rms %", "99th %", "max %", "noise %");
+    for (const auto& v : c.volumes)
+        text += fmt::format("  {:<18} {:<9} {:>8.1f} {:>9.4g} {:>9.4g} {:>8.2f} {:>8.2f} {:>8.1f} {:>9.2f}\n", v.algorithm, v.part, v.seconds, v.meanLux, v.referenceMeanLux, 100 * v.rms, 100 * v.p99,
+                            100 * v.max, 100 * v.noise);
+    return text;
+}
+
+}  // namespace
+
 std::string compareText(const Comparison& c) {
     std::string text = fmt::format("{}: {} algorithms, {} repetitions of each run, seed {}, {:.0f} s{}\n", c.project, c.algorithms.size(), c.repetitions, c.seed, c.seconds,
                                    c.complete ? "" : ", incomplete: interrupted");
@@ -104,6 +118,7 @@ std::string compareText(const Comparison& c) {
             if (run.subject == reference.subject) text += runRow(run);
         text += summaryRows(c, reference.subject) + worstRows(c, reference.subject);
     }
+    text += volumeRows(c);
     text += "\nErrors are relative to the value, in the dark to a tenth of the mean; intervals are 95 %. The reference's own noise is taken out of rms and bias, not of the 99th percentile and the largest error.\n";
     for (const auto& warning : c.warnings) text += "warning: " + warning + "\n";
     return text;

@@ -97,6 +97,16 @@ struct ErrorMap {
     std::vector<double> errors;    // (value - reference) / scale
 };
 
+/// One part of the light of an algorithm's irradiance volume against the reference's, over all directions of all vertices.
+struct ComparedVolume {
+    std::string algorithm;
+    std::string part;              // "total", "direct", "indirect"
+    double seconds = 0;            // to build, preparation included
+    double rms = 0, p99 = 0, max = 0;  // relative to the reference's rms irradiance
+    double noise = 0;              // what the noise of both explains of rms
+    double meanLux = 0, referenceMeanLux = 0;
+};
+
 /// What `compare` found.
 struct Comparison {
     std::string project;
@@ -114,6 +124,7 @@ struct Comparison {
     std::vector<ComparedPlace> order;
     std::vector<WorstValue> worst;
     std::vector<ErrorMap> maps;
+    std::vector<ComparedVolume> volumes;  // when they were asked for
     std::vector<std::string> warnings;
     std::string sceneHash, projectHash, version;
 };

@@ -1,9 +1,12 @@
 #include "analysis/compare/volume_pairs.h"
 
+#include "engine/core/rng.h"
 #include "engine/volume/volume_build.h"
+#include "engine/volume/volume_diff.h"
 #include "engine/volume/volume_file.h"
 
 #include <chrono>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -37,50 +40,49 @@ Result<Built> buildBy(const std::string& algorithm, const LitScene& lit, const A
     return Built{*std::move(volume), setup};
 }
 
-Result<VolumePair> pairOf(const IrradianceVolume& reference, const Built& built, const std::filesystem::path& folder) {
-    VolumePair pair;
-    pair.algorithm = built.volume.algorithm, pair.setupSeconds = built.setupSeconds, pair.seconds = built.volume.seconds;
-    for (const auto& [part, out] : {std::pair{LightPart::Total, &pair.total}, {LightPart::Direct, &pair.direct}, {LightPart::Indirect, &pair.indirect}}) {
+Result<void> compareParts(const IrradianceVolume& reference, const Built& built, Comparison& comparison) {
+    for (const auto& [part, name] : {std::pair{LightPart::Total, "total"}, {LightPart::Direct, "direct"}, {LightPart::Indirect, "indirect"}}) {
         FieldSettings settings;
         settings.part = part;
-        const auto difference = compareVolumes(reference, built.volume, settings);
-        if (!difference) return difference.error();
-        *out = *difference;
+        const auto d = compareVolumes(reference, built.volume, settings);
+        if (!d) return d.error();
+        comparison.volumes.push_back({built.volume.algorithm, name, built.setupSeconds + built.volume.seconds, d->rms, d->p99, d->max, d->noise, d->meanSecond, d->meanFirst});
     }
-    const auto difference = volumeDifference(built.volume, reference);
+    return {};
+}
+
+Result<void> writePair(const IrradianceVolume& reference, const IrradianceVolume& volume, const std::filesystem::path& folder) {
+    const auto difference = volumeDifference(volume, reference);
     if (!difference) return difference.error();
-    if (const auto written = writeVolume(folder / (pair.algorithm + ".vtu"), built.volume); !written) return written.error();
-    if (const auto written = writeVolume(folder / (pair.algorithm + "_difference.vtu"), *difference); !written) return written.error();
-    return pair;
+    if (const auto written = writeVolume(folder / (volume.algorithm + ".vtu"), volume); !written) return written;
+    return writeVolume(folder / (volume.algorithm + "_difference.vtu"), *difference);
 }
 
 }  // namespace
 
-Result<VolumePairs> compareVolumePairs(const Project& project, const LitScene& lit, const std::vector<std::string>& algorithms,
-                                       const AlgorithmSettings& settings, std::uint64_t seed, const std::filesystem::path& folder, const Progress& progress) {
+Result<void> compareVolumePairs(const Project& project, const LitScene& lit, const AlgorithmSettings& settings, const std::filesystem::path& folder,
+                                const Progress& progress, Comparison& comparison) {
     const auto volumeSettings = volumeSettingsOf(project, "");
     if (!volumeSettings) return volumeSettings.error();
     std::error_code ec;
     std::filesystem::create_directories(folder, ec);
     if (ec) return Error{ErrorCode::InvalidArgument, "cannot be made: " + ec.message(), folder.string()};
-    VolumePairs out;
-    out.referenceAlgorithm = "path";
-    const auto reference = buildBy(out.referenceAlgorithm, lit, settings, seed ^ 0x5eed, *volumeSettings, kPairReferenceSamples, progress);
+    // Another seed than the algorithms': `path` is not compared with itself.
+    const auto reference = buildBy("path", lit, settings, streamSeed(comparison.seed, 1), *volumeSettings, kPairReferenceSamples, progress);
     if (!reference) return reference.error();
-    out.referenceSeconds = reference->volume.seconds, out.referenceError95 = 1.96 * reference->volume.relativeError();
-    if (const auto written = writeVolume(folder / "reference.vtu", reference->volume); !written) return written.error();
-    out.complete = reference->volume.complete;
-    for (const auto& algorithm : algorithms) {
-        if (!out.complete) break;
-        const auto built = buildBy(algorithm, lit, settings, seed, *volumeSettings, kPairSamples, progress);
+    comparison.complete = comparison.complete && reference->volume.complete;
+    if (!comparison.complete) return {};
+    if (const auto written = writeVolume(folder / "reference.vtu", reference->volume); !written) return written;
+    for (const auto& algorithm : comparison.algorithms) {
+        if (!algorithm.refused.empty()) continue;
+        const auto built = buildBy(algorithm.name, lit, settings, comparison.seed, *volumeSettings, kPairSamples, progress);
         if (!built && built.error().code != ErrorCode::Cancelled) return built.error();
-        out.complete = built && built->volume.complete;
-        if (!out.complete) break;
-        auto pair = pairOf(reference->volume, *built, folder);
-        if (!pair) return pair.error();
-        out.pairs.push_back(*std::move(pair));
+        comparison.complete = built && built->volume.complete;
+        if (!comparison.complete) return {};
+        if (const auto done = compareParts(reference->volume, *built, comparison); !done) return done;
+        if (const auto done = writePair(reference->volume, built->volume, folder); !done) return done;
     }
-    return out;
+    return {};
 }
 
 }  // namespace luxdeck

@@ -58,7 +58,7 @@ const std::vector<Run>& runs() {
         {{"solve", "project.toml", "--samples", "64", "--by-luminaire", "--layers-out", "layers.json"}},
         {{"export", "project.toml", "-o", "exported"}},
         {{"compare", "project.toml", "--samples", "128", "--rungs", "3", "--repetitions", "3", "--algorithms", "path,direct", "--height", "8", "--reference-error", "20%",
-          "--picture-reference-error", "90%"}},
+          "--picture-reference-error", "90%", "-o", "compared", "--volumes"}},
         {{"validate", "--stability"}},
         {{"validate", "--case", "5.2"}},
         {{"volume", "build", "project.toml", "-o", "a.vtu", "--grid", "3", "3", "3", "--bins", "5"}},
