@@ -3,6 +3,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/rng.h"
+#include "engine/core/statistics.h"
 #include "engine/transport/irradiance_cache/sight.h"
 #include "engine/transport/irradiance_cache/surface_points.h"
 #include "tests/support/estimate.h"
@@ -305,6 +306,39 @@ TEST(IrradianceCache, HasTheLightOfPathsInAFurnishedRoom) {
     sensors.push_back(facing({3, 1.5F, 0.74F}, {0, 0, 1}));  // on the table
     sensors.push_back(facing({3, 1.5F, 0}, {0, 0, 1}));      // below it
     expectLightOfPaths(lit, sensors);
+}
+
+/// Mean luminance over all directions from a point, with its standard error by 16 independent sets.
+Estimate meanLuminance(const Lit& lit, const RadianceEstimator& estimator, Vec3 from, std::uint64_t seed) {
+    MeanVariance sets;
+    std::vector<RadianceQuery> queries(1024);
+    std::vector<RadianceSample> samples(queries.size());
+    for (std::uint64_t set = 0; set < 16; ++set) {
+        for (std::uint32_t i = 0; i < queries.size(); ++i) {
+            SamplePath numbers(streamSeed(seed, set), i);
+            const Vec2 u = numbers.next2D();
+            const float z = 1 - 2 * u.x, r = std::sqrt(std::max(0.0F, 1 - z * z));
+            queries[i].ray = {from, 0, {r * std::cos(2 * kPi * u.y), r * std::sin(2 * kPi * u.y), z}, kInfinity};
+            queries[i].numbers = numbers;
+        }
+        estimator.radiance(queries, samples);
+        double sum = 0;
+        for (const auto& s : samples) sum += luminance(s.direct + s.indirect, lit.scene.weights);
+        sets.add(sum / static_cast<double>(samples.size()));
+    }
+    return {sets.mean(), std::sqrt(sets.meanVariance())};
+}
+
+// Pictures take the cache at the first surface. The registry's bias and 5 standard errors (Student's t, 15 degrees of
+// freedom each: 2e-4).
+TEST(IrradianceCache, HasTheRadianceOfPaths) {
+    for (const auto& room : {furnishedRoom(), richRoom()}) {
+        const Lit lit(room);
+        const auto got = meanLuminance(lit, *lit.estimator("irradiance_cache"), {1, 1.5F, 1.3F}, 1);
+        const auto expected = meanLuminance(lit, *lit.estimator("path"), {1, 1.5F, 1.3F}, 2);
+        EXPECT_LT(expected.standardError, 0.02 * expected.value);
+        EXPECT_NEAR(got.value, expected.value, 5 * std::hypot(got.standardError, expected.standardError) + 0.02 * expected.value);
+    }
 }
 
 TEST(IrradianceCache, HasTheLightOfPathsInARichRoom) {

@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <cstdint>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace luxdeck {

@@ -2,6 +2,7 @@
 
 #include "engine/transport/surface/surface_point.h"
 
+#include <array>
 #include <cmath>
 
 namespace luxdeck {
