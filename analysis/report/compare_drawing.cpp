@@ -176,7 +176,7 @@ void drawErrorCurves(Canvas& canvas, const QRectF& area, const Comparison& c, co
     for (std::size_t i = curves.size(); i-- > 0;) drawCurve(canvas, plot, curves[i], colourOf(c, curves[i].algorithm));
     drawLabels(canvas, plot, c, reference.subject, curves);
     canvas.stroke(inner.left(), area.bottom() - 2.3, inner.left() + 7, area.bottom() - 2.3, ink::kGrey, 0.25, Qt::DashLine);
-    canvas.text(inner.left() + 9, area.bottom() - 1.4, "slope −1/2: noise, error halves in four times the time", type::kSmall);
+    canvas.text(inner.left() + 9, area.bottom() - 1.4, "slope −1/2: noise alone", type::kSmall);
 }
 
 }  // namespace luxdeck::report

@@ -43,7 +43,7 @@ TableRow rowOf(const Comparison& c, const ComparedPlace& place) {
 void drawSubject(Document& document, const Comparison& c, const ComparedReference& reference) {
     auto& canvas = document.canvas();
     document.startPage("Algorithms", line(reference.picture ? "Error against run time: view “" + reference.subject + "”" : std::string("Error against run time: calculation grids")));
-    document.y += canvas.paragraph(sheet::kLeft, document.y - 3, sheet::kTextWidth, referenceText(reference) + line(fmt::format("; {} repetitions of each run.", c.repetitions)), type::kBody);
+    document.y += canvas.paragraph(sheet::kLeft, document.y - 3, sheet::kTextWidth, referenceText(reference) + line(fmt::format("; {} repetitions of each run{}.", c.repetitions, c.complete ? "" : "; interrupted")), type::kBody);
     drawErrorCurves(canvas, {sheet::kLeft, document.y + 2, sheet::kTextWidth, kPlotMm}, c, reference);
     document.y += kPlotMm + 8;
     std::vector<TableRow> rows;
