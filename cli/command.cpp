@@ -36,6 +36,7 @@ Exit complain(const Error& error) {
 AlgorithmSettings Effort::settings() const {
     AlgorithmSettings s;
     s.ambientLux = ambientLux;
+    s.effort = preparation;
     return s;
 }
 
@@ -80,6 +81,8 @@ void addEffort(CLI::App& app, Effort& effort) {
         ->check(CLI::IsMember(names))->capture_default_str();
     app.add_option("--ambient", effort.ambientLux, "Constant ambient illuminance of --algorithm ambient, in lx")
         ->check(CLI::Range(0.0, 1e6))->capture_default_str();
+    app.add_option("--effort", effort.preparation, "Of algorithms that prepare something first (a cache, a mesh, photons): its time is about proportional, its error falls")
+        ->check(CLI::Range(1e-3, 1e3))->capture_default_str();
     app.add_option_function<std::string>("--target-error", [&effort](const std::string& text) {
         double value = 0;
         if (const auto wrong = parsePercent(text, value); !wrong.empty()) throw CLI::ValidationError("--target-error", wrong);

@@ -44,6 +44,7 @@ struct Common {
 struct Effort {
     std::string algorithm = "path";
     double ambientLux = 0;
+    double preparation = 1;                // effort of algorithms that prepare something
     std::optional<double> targetError;     // relative
     std::optional<double> timeSeconds;
     std::optional<std::uint32_t> samples;

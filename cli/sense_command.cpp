@@ -121,7 +121,7 @@ private:
 Exit runSense(const Options& o, Context& context) {
     auto loaded = load(o.scene, context.common.quiet);
     if (!loaded) return complain(loaded.error());
-    auto estimator = makeEstimator(o.effort.algorithm, (*loaded)->lit.transport(), o.effort.settings());
+    auto estimator = makeEstimator(o.effort.algorithm, (*loaded)->lit.transport(), o.effort.settings(), context.common.seed, context.progress);
     if (!estimator) return complain(estimator.error());
     Sense sense(**loaded, **estimator, o, context);
     LineReader reader(0, context.progress);

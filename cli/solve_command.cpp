@@ -81,7 +81,7 @@ Result<SolveResult> runSolve(const Loaded& loaded, const Effort& effort, const C
     settings.byLuminaire = byLuminaire;
     settings.targetError = effort.targetError.value_or(effort.timeSeconds ? 0.0 : defaultError);
     auto result = solve(loaded.project, loaded.lit, settings, context.progress);
-    if (result) result->setupSeconds = loaded.seconds;
+    if (result) result->setupSeconds += loaded.seconds;
     return result;
 }
 

@@ -102,9 +102,7 @@ Exit buildFromScene(const Options& o, Context& context) {
     if (!wanted) return complain(wanted.error());
     const auto& settings = *wanted;
     const auto hash = sceneHash((*loaded)->project.scene);
-    auto algorithmSettings = o.effort.settings();
-    algorithmSettings.seed = context.common.seed, algorithmSettings.progress = &context.progress;
-    auto estimator = makeEstimator(o.effort.algorithm, lit.transport(), algorithmSettings);
+    auto estimator = makeEstimator(o.effort.algorithm, lit.transport(), o.effort.settings(), context.common.seed, context.progress);
     if (!estimator) return complain(estimator.error());
     auto journal = VertexJournal::open(o.output + ".part", buildIdentity(hash, o.effort.algorithm, context.common.seed, settings));
     if (!journal) return complain(journal.error());

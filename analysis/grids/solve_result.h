@@ -80,7 +80,7 @@ struct SolveResult {
     bool targetReached = true; // false: the time ran out before the target error
     double targetError = 0;    // relative; 0: none was asked for
     double seconds = 0;        // of solving
-    double setupSeconds = 0;   // loading and building
+    double setupSeconds = 0;   // loading, building, what the algorithm prepares
     double predictedSeconds = 0;  // as told after the first passes
     std::uint64_t samples = 0; // paths
     std::uint64_t rays = 0;

@@ -246,7 +246,9 @@ private:
 
 Result<SolveResult> solve(const Project& project, const LitScene& lit, const SolveSettings& settings,
                           const Progress& progress) {
-    auto estimator = makeEstimator(settings.algorithm, lit.transport(), settings.algorithmSettings);
+    const Stopwatch preparing;
+    auto estimator = makeEstimator(settings.algorithm, lit.transport(), settings.algorithmSettings, settings.seed, progress);
+    const double prepared = preparing.seconds();
     if (!estimator) return estimator.error();
     auto layouts = layOutAll(project);
     if (!layouts) return layouts.error();
@@ -256,7 +258,9 @@ Result<SolveResult> solve(const Project& project, const LitScene& lit, const Sol
         return Error{ErrorCode::InvalidArgument, "neither a target error nor a time: solving would never end"};
     if (settings.byLuminaire)
         if (const auto possible = canKeepLayers(project, **estimator, settings, *layouts); !possible) return possible.error();
-    return Solve(project, lit, settings, **estimator, *std::move(layouts), progress).run();
+    auto result = Solve(project, lit, settings, **estimator, *std::move(layouts), progress).run();
+    result.setupSeconds = prepared;
+    return result;
 }
 
 }  // namespace luxdeck

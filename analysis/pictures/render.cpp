@@ -274,7 +274,7 @@ private:
 
 Result<RenderResult> render(const Project& project, const LitScene& lit, const View& view, const RenderSettings& settings,
                             const Progress& progress, const std::function<void(const RenderResult&)>& afterPass) {
-    auto estimator = makeEstimator(settings.algorithm, lit.transport(), settings.algorithmSettings);
+    auto estimator = makeEstimator(settings.algorithm, lit.transport(), settings.algorithmSettings, settings.seed, progress);
     if (!estimator) return estimator.error();
     if (view.width < 1 || view.height < 1)
         return Error{ErrorCode::InvalidArgument, fmt::format("view \"{}\" is {} x {} pixels", view.name, view.width, view.height), view.where};

@@ -52,4 +52,10 @@ Result<std::unique_ptr<RadianceEstimator>> makeEstimator(const std::string& algo
     return Error{ErrorCode::InvalidArgument, fmt::format("no algorithm \"{}\", expected one of: {}", algorithm, known)};
 }
 
+Result<std::unique_ptr<RadianceEstimator>> makeEstimator(const std::string& algorithm, const TransportScene& scene, AlgorithmSettings settings,
+                                                         std::uint64_t seed, const Progress& progress) {
+    settings.seed = seed, settings.progress = &progress;
+    return makeEstimator(algorithm, scene, settings);
+}
+
 }  // namespace luxdeck

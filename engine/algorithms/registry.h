@@ -29,4 +29,8 @@ const Algorithm* algorithmNamed(const std::string& name);
 Result<std::unique_ptr<RadianceEstimator>> makeEstimator(const std::string& algorithm, const TransportScene& scene,
                                                          const AlgorithmSettings& settings = {});
 
+/// The same with what a command knows: the preparation uses its seed, and tells and obeys its progress.
+Result<std::unique_ptr<RadianceEstimator>> makeEstimator(const std::string& algorithm, const TransportScene& scene, AlgorithmSettings settings,
+                                                         std::uint64_t seed, const Progress& progress);
+
 }  // namespace luxdeck
