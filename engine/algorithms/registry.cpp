@@ -6,6 +6,7 @@
 #include "engine/transport/enclosure.h"
 #include "engine/transport/irradiance_cache/irradiance_cache_estimator.h"
 #include "engine/transport/path/path_estimator.h"
+#include "engine/transport/photon_map/photon_map_estimator.h"
 #include "engine/transport/radiosity/radiosity_estimator.h"
 #include "engine/transport/shared/shared_estimator.h"
 #include "engine/volume/gather/volume_gather_estimator.h"
@@ -30,6 +31,7 @@ const std::vector<Algorithm>& algorithms() {
         {"radiosity", "light between the elements of a mesh of the matte surfaces, seen by final gather", true, makeRadiosityEstimator, 0.01},
         {"irradiance_cache", "indirect light interpolated between records on the surfaces (Ward 1988): prepared first, little noise, small bias", true,
          makeIrradianceCacheEstimator, 0.02},
+        {"photon_map", "photons followed from the lights, their density on matte surfaces seen by final gather", true, makePhotonMapEstimator, 0.02},
     };
     return all;
 }

@@ -185,7 +185,7 @@ TEST_P(FieldAlgorithm, ShowsSurfacesAsBrightAsTheyAre) {
     EXPECT_NEAR(seen.total().value, expected, kSigmas * std::hypot(standardError(seen), 0.5 / kPiD * there.standardError) + bias() * expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, FieldAlgorithm, testing::Values("radiosity"), [](const auto& param) { return param.param; });
+INSTANTIATE_TEST_SUITE_P(All, FieldAlgorithm, testing::Values("radiosity", "photon_map"), [](const auto& param) { return param.param; });
 
 }  // namespace
 }  // namespace luxdeck::test

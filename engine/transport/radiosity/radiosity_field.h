@@ -3,7 +3,7 @@
 #include "engine/core/result.h"
 #include "engine/transport/radiance_estimator.h"
 #include "engine/transport/radiosity/element_links.h"
-#include "engine/transport/radiosity/surface_elements.h"
+#include "engine/transport/surface/surface_elements.h"
 #include "engine/transport/tracer/irradiance_field.h"
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "engine/transport/radiosity/surface_elements.h"
+#include "engine/transport/surface/surface_elements.h"
 
 #include "engine/core/rng.h"
 #include "engine/sampling/octahedral.h"

@@ -31,6 +31,8 @@ public:
 
     [[nodiscard]] std::size_t size() const { return 2 * areasM2_.size(); }
     [[nodiscard]] float areaM2(std::size_t element) const { return areasM2_[element / 2]; }
+    /// The one mesh that it is a part of.
+    [[nodiscard]] std::uint32_t mesh(std::size_t element) const { return members_[firstMember_[element / 2]].mesh; }
     /// The element of a point with barycentric weights u, v of the triangle's second and third vertex; kNone: of a
     /// mesh that is never matte, or black.
     [[nodiscard]] std::uint32_t at(std::uint32_t mesh, std::uint32_t triangle, float u, float v, bool front) const;
