@@ -4,7 +4,7 @@
 #include "engine/sampling/warp.h"
 #include "engine/transport/path/path_estimator.h"
 #include "engine/transport/radiosity/radiosity_field.h"
-#include "engine/transport/radiosity/surface_elements.h"
+#include "engine/transport/surface/surface_elements.h"
 #include "engine/transport/tracer/path_batch.h"
 
 #include <algorithm>

@@ -17,8 +17,8 @@ constexpr float kSameWay = 0.9F;      // cosine between normals that face the sa
 constexpr float kInPlane = 0.2F;      // of the radius: height above the disc
 constexpr float kAbove = 0.05F;       // of the radius: where the elements look at each other
 constexpr double kSurelyFull = 6;     // photons expected; none come with a chance of 0.25 %
-constexpr float kGap = 0.25F;         // of the radius: nothing is seen of what lies in a gap less wide
-constexpr std::uint32_t kOpenPoints = 6, kOpenRays = 3;  // of an element
+constexpr float kGap = 0.15F;         // of the radius: nothing is seen of what lies in a gap less wide
+constexpr std::uint32_t kOpenPoints = 4, kOpenRays = 6;  // of an element
 constexpr std::size_t kTask = 256;    // elements
 constexpr double kTypical = 0.5;      // the quantile of elements whose disc is as wide as a cell
 
