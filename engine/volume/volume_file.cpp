@@ -162,7 +162,7 @@ private:
     Result<void> findArrays(Checksum checksum) {
         const auto raw = bytes_.find(kRawData);
         const auto mark = bytes_.substr(0, 512).find(kHashMark);
-        if (raw == std::string_view::npos || mark == std::string_view::npos)
+        if (raw == std::string_view::npos || mark == std::string_view::npos || mark + kHashMark.size() > raw)
             return bad("is not a volume that Luxdeck wrote, expected a .vtu file with \"luxdeck-volume/1\" at its beginning");
         const std::string_view head = bytes_.substr(0, raw);
         data_ = bytes_.substr(raw + kRawData.size());
