@@ -2,12 +2,14 @@
 #include "analysis/validation/cie171_table.h"
 #include "cli/command.h"
 #include "cli/json_text.h"
+#include "engine/algorithms/registry.h"
 #include "engine/core/version.h"
 
 #include <fmt/format.h>
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace luxdeck::cli {
 
@@ -17,6 +19,7 @@ namespace {
 struct Options {
     bool cie171 = false;
     bool stability = false;
+    std::string algorithm;  // of the stability cases; empty: all
     std::string number;  // of the one case of CIE 171 that is wanted; empty: all
 };
 
@@ -32,7 +35,7 @@ Exit runValidate(const Options& asked, const Context& context) {
         json["cie171"] = cie171Json(rows), text += cie171Text(rows), met = met && allWithin(rows);
     }
     if (all || asked.stability) {
-        const auto results = runStability(context.common.seed, context.progress);
+        const auto results = runStability(context.common.seed, context.progress, asked.algorithm);
         json["stability"] = stabilityJson(results), met = met && allMet(results);
         text += (text.empty() ? "" : "\n") + stabilityText(results);
     }
@@ -52,6 +55,9 @@ Command addValidate(CLI::App& program) {
     app->add_flag("--cie171", o->cie171, "The analytical cases of CIE 171:2006, references worked out anew (without an option: both tables)");
     app->add_option("--case", o->number, "One case of CIE 171 alone: 5.2 to 5.14");
     app->add_flag("--stability", o->stability, "Stiff and extreme scenes: reflectances near 1, tiny lights, coordinates of 10^6 m, slivers, NaN");
+    std::vector<std::string> names;
+    for (const auto& a : algorithms()) names.push_back(a.name);
+    app->add_option("--algorithm", o->algorithm, "The stability cases by this one alone")->check(CLI::IsMember(names));
     return {app, [o](Context& context) { return runValidate(*o, context); }};
 }
 

@@ -67,7 +67,7 @@ inline constexpr double kStabilitySigmas = 4;
 /// Never fails: what goes wrong is a verdict.
 StabilityResult runStabilityCase(const StabilityCase& one, const Algorithm& algorithm, std::uint64_t seed, const Progress& progress);
 
-/// Every case by every registered algorithm, or as far as it came when cancelled.
-std::vector<StabilityResult> runStability(std::uint64_t seed, const Progress& progress);
+/// Every case by every registered algorithm, or by the one of this name; as far as it came when cancelled.
+std::vector<StabilityResult> runStability(std::uint64_t seed, const Progress& progress, const std::string& algorithm = {});
 
 }  // namespace luxdeck

@@ -99,12 +99,13 @@ StabilityResult runStabilityCase(const StabilityCase& one, const Algorithm& algo
     return out;
 }
 
-std::vector<StabilityResult> runStability(std::uint64_t seed, const Progress& progress) {
+std::vector<StabilityResult> runStability(std::uint64_t seed, const Progress& progress, const std::string& only) {
     const Stopwatch clock;
     std::vector<StabilityResult> out;
-    const std::size_t count = stabilityCases().size() * algorithms().size();
+    const std::size_t count = stabilityCases().size() * (only.empty() ? algorithms().size() : 1);
     for (const auto& one : stabilityCases())
         for (const auto& algorithm : algorithms()) {
+            if (!only.empty() && algorithm.name != only) continue;
             if (progress.cancelled()) return out;
             out.push_back(runStabilityCase(one, algorithm, seed, progress));
             ProgressState state;
