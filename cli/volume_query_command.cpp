@@ -85,6 +85,9 @@ Exit runQuery(const Options& o, Context& context) {
     }
     const auto field = VolumeField::make(*volume, o.field.field());
     if (!field) return complain(field.error());
+    if (field->basisErrorRms() > 0 && !context.common.quiet)
+        say(fmt::format("luxdeck: harmonics of degree {} leave out {:.2g} % (rms), {:.2g} % at most, of the volume's rms\n", o.field.settings.degree, 100 * field->basisErrorRms(),
+                        100 * field->basisErrorMax()));
     Query query(*field, loaded ? &loaded->lit.raycaster() : nullptr, context.common.json);
     LineReader reader(0, context.progress);
     std::vector<std::string> lines;
