@@ -1,5 +1,6 @@
 #include "cli/command.h"
 #include "cli/completions.h"
+#include "cli/furniture_commands.h"
 #include "cli/interrupt.h"
 #include "cli/man_page.h"
 #include "cli/progress_bar.h"
@@ -34,7 +35,8 @@ void addCommon(CLI::App& app, Common& common) {
 }
 
 std::vector<Command> addCommands(CLI::App& program) {
-    std::vector<Command> all{addCheck(program), addSolve(program), addSense(program), addRender(program), addTonemap(program), addExport(program), addValidate(program), addCompare(program)};
+    std::vector<Command> all{addCheck(program), addSolve(program), addSense(program), addRender(program), addTonemap(program), addExport(program), addFurniture(program), addShade(program),
+                             addValidate(program), addCompare(program)};
     for (auto& command : addVolume(program)) all.push_back(std::move(command));
 #ifdef LUXDECK_REPORT
     all.push_back(addReport(program));

@@ -1,3 +1,4 @@
+#include "cli/furniture_commands.h"
 #include "cli/json_text.h"
 #include "cli/streams.h"
 #include "cli/volume_commands.h"
@@ -29,7 +30,7 @@ struct Options {
     int depth = 4;
     double refine = 0;
     bool thesis = false;
-    std::vector<std::string> ignored;
+    std::vector<std::string> ignored, without;
     double ignoredCdM2 = 0;
     Effort effort;
 };
@@ -97,6 +98,8 @@ void tellOfUpdate(const VolumeUpdate& update, const IrradianceVolume& volume, co
 Exit buildFromScene(const Options& o, Context& context) {
     auto loaded = load(o.scene, context.common.quiet);
     if (!loaded) return complain(loaded.error());
+    for (const auto& name : o.without)
+        if (const auto removed = removeObject(**loaded, name); !removed) return complain(removed.error());
     const auto& lit = (*loaded)->lit;
     const auto wanted = settingsOf(o, (*loaded)->project);
     if (!wanted) return complain(wanted.error());
@@ -161,6 +164,7 @@ Command addVolumeBuild(CLI::App& volume) {
     app->add_option("--depth", o->depth, "With --refine: at most that often")->check(CLI::Range(1, 8))->capture_default_str();
     app->add_option("--bins", o->bins, "Directional bins along a hemisphere's side, 2 N^2 in all; else 17")->check(CLI::Range(2, 64));
     app->add_flag("--thesis", o->thesis, "As Greger 1996 did it: one ray through the centre of each bin, sources met by chance. The baseline for comparisons");
+    app->add_option("--without", o->without, "Leave this object out of the scene: the volume that `furniture --object` lights it from, wherever it is moved")->type_name("OBJECT");
     app->add_option("--ignore", o->ignored, "Object whose light is left out where a ray meets it first: shows what it does to the flow of light")->type_name("OBJECT");
     app->add_option("--ignored-luminance", o->ignoredCdM2, "Luminance that ignored objects have instead, in cd/m²")->check(CLI::Range(0.0, 1e9))->capture_default_str();
     addEffort(*app, o->effort);

@@ -51,6 +51,12 @@ public:
     };
     [[nodiscard]] Look look(const Vec3& direction) const;
     [[nodiscard]] Rgb atVertex(std::uint32_t vertex, const Look& look) const;
+    /// The same between bins; of fields that are kept in bins alone.
+    [[nodiscard]] Rgb atVertex(std::uint32_t vertex, const DirectionBins::Blend& blend) const {
+        Rgb sum;
+        for (int i = 0; i < 4; ++i) sum += values_[static_cast<std::size_t>(blend.bin[i]) * volume_->vertexCount() + vertex] * blend.weight[i];
+        return sum;
+    }
 
     /// Bytes of the copy.
     [[nodiscard]] std::size_t bytes() const { return values_.size() * sizeof(Rgb); }
