@@ -176,7 +176,7 @@ std::string asJson(const Options& o, const Setting& s, const Findings& f) {
     return jsonText(out);
 }
 
-std::string asText(const Options& o, const Setting& s, const Findings& f) {
+std::string asText(const Setting& s, const Findings& f) {
     const auto& scene = s.room->project.scene;
     const auto place = [&](const Vec3& p) { const auto u = scene.toUser(p); return fmt::format("at {:.2f} {:.2f} {:.2f}", u.x, u.y, u.z); };
     const Vec3d stands = s.object->pivot + s.pose.moveM + scene.origin;
@@ -224,7 +224,7 @@ Exit runFurniture(const Options& o, Context& context) {
     found.grids = *std::move(grids);
     if (const auto solved = solveExactly(o, context, s, **lighting, found); !solved) return complain(solved.error());
     if (const auto written = writeShaded(o, s, **lighting, found.surface); !written) return complain(written.error());
-    if (const auto told = writeOutput("-", context.common.json ? asJson(o, s, found) : asText(o, s, found)); !told) return complain(told.error());
+    if (const auto told = writeOutput("-", context.common.json ? asJson(o, s, found) : asText(s, found)); !told) return complain(told.error());
     if (context.progress.cancelled()) return Exit::Interrupted;
     const auto verdict = found.surface.verdict;
     if (verdict == FurnitureVerdict::Under || verdict == FurnitureVerdict::Over) return Exit::NotMet;

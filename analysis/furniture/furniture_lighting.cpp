@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffU;
 constexpr float kQuantile = 1.96F;
+// Beyond this part hidden by the object itself, a vertex is covered by a part that lies on it.
+constexpr float kCovered = 0.97F;
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 bool isKnown(const Rgb& lux) { return !std::isnan(lux.r); }
@@ -211,7 +213,12 @@ double FurnitureLighting::varianceOfMean(double knownM2) {
 WorkingSurfaceLight FurnitureLighting::workingSurface(const LightRequirement& requirement) {
     const auto& level = object_->levels[level_];
     areas_.assign(level.shown.size(), 0);
-    for (std::size_t v = 0; v < level.standsFor.size(); ++v) areas_[level.standsFor[v]] += object_->workingAreaM2[v];
+    double area = 0;
+    for (std::size_t v = 0; v < level.standsFor.size(); ++v) {
+        const auto* row = shade_.row(static_cast<std::uint32_t>(v));
+        if (row != nullptr && row->hiddenPart > kCovered) continue;
+        areas_[level.standsFor[v]] += object_->workingAreaM2[v], area += object_->workingAreaM2[v];
+    }
     WorkingSurfaceLight out;
     double known = 0, sum = 0, between = 0;
     out.minimum.value = std::numeric_limits<double>::infinity(), out.maximum.value = -out.minimum.value;
@@ -224,7 +231,7 @@ WorkingSurfaceLight FurnitureLighting::workingSurface(const LightRequirement& re
         if (y < out.minimum.value) out.minimum = {y, halfWidths_[v]}, out.minimumAt = positions_[i];
         if (y > out.maximum.value) out.maximum = {y, halfWidths_[v]}, out.maximumAt = positions_[i];
     }
-    out.unknownPart = object_->workingSurfaceM2 > 0 ? std::clamp(1 - known / object_->workingSurfaceM2, 0.0, 1.0) : 1;
+    out.unknownPart = area > 0 ? std::clamp(1 - known / area, 0.0, 1.0) : 1;
     if (out.unknownPart < 1e-5) out.unknownPart = 0;  // sums of floats
     if (known == 0) {
         out.minimum = out.maximum = out.mean = {0, std::numeric_limits<double>::infinity()};

@@ -27,7 +27,7 @@ enum class FurnitureVerdict { None, Met, Under, Over, Undecided };  ///< None: n
 const char* verdictText(FurnitureVerdict verdict);
 
 /// Illuminance of the working surface, in intervals (95 %) that hold the volume's noise and its interpolation. They are of
-/// the room without the object: what the object's presence changes in the room's light, and so in its own, is not in them.
+/// the room without the object (a vertex that another part of the object lies on does not count): what the object's presence changes in the room's light, and so in its own, is not in them.
 struct WorkingSurfaceLight {
     Interval mean, minimum, maximum;          // [lx]; over the vertices, weighed by area
     Vec3 minimumAt{0, 0, 0}, maximumAt{0, 0, 0};  // re-based [m]

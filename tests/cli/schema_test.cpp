@@ -67,6 +67,9 @@ const std::vector<Run>& runs() {
         {{"volume", "query", "a.vtu"}, "1 1 1 0 0 1\n"},
         {{"volume", "query", "a.vtu", "--scene", "project.toml"}, "not six numbers\n", 3},
         {{"volume", "diff", "a.vtu", "b.vtu", "-o", "c.vtu"}},
+        {{"furniture", "project.toml", "--volume", "a.vtu", "--model", "room.obj", "--unit", "0.1", "--at", "2", "2.5", "0.5", "--required", "1"}},
+        {{"furniture", "project.toml", "--volume", "a.vtu", "--model", "room.obj", "--unit", "0.1", "--at", "2", "2.5", "0.5", "--exact", "--full", "8", "--samples", "64", "-o", "f.ply"}},
+        {{"shade", "project.toml", "--volume", "a.vtu", "--model", "room.obj", "--unit", "0.1", "--at", "2", "2.5", "0.5", "-o", "s.ply"}},
         {{"report", "project.toml", "-o", "r.pdf", "--samples", "64", "--view-time", "0.1"}},  // where the build has it
     };
     return all;
