@@ -104,6 +104,7 @@ Exit runQuery(const Options& o, Context& context) {
 
 FieldSettings FieldOptions::field() const {
     auto out = settings;
+    if (out.order == 0) out.blendBins = false;  // radiance blended between bins would light surfaces otherwise than the volume does
     if (thesis) out.quadrature = Quadrature::Midpoint, out.blendBins = false;
     return out;
 }
