@@ -58,14 +58,14 @@ TEST(VolumeCommand, ExportsTablesAndPanoramas) {
     ASSERT_EQ(scratch.run(with(kSmall, {"--bins", "15"})).exitStatus, 0);
     EXPECT_EQ(scratch.run({"volume", "export", "v.vtu", "-o", "v.csv"}).exitStatus, 0);
     EXPECT_THAT(scratch.read("v.csv"), HasSubstr("x_m,y_m,z_m,usable,ci95_lx,facing_+x"));
-    EXPECT_EQ(scratch.run({"volume", "export", "v.vtu", "-o", "v.exr", "--at", "2", "2", "1", "--moment", "0", "--height", "160"}).exitStatus, 0);
+    EXPECT_EQ(scratch.run({"volume", "export", "v.vtu", "-o", "v.exr", "--at", "2", "2", "1", "--moment", "0", "--height", "64"}).exitStatus, 0);
     EXPECT_EQ(scratch.run({"volume", "export", "v.vtu", "-o", "v.exr"}).exitStatus, 3);  // of which point?
-    // A panorama is what a volume can be built from again. A lamp fills a bin of 9.5 degrees, whose edge pixels of 1.1 degrees
-    // know to a tenth of a side: 5 % of its light.
+    // A panorama is what a volume can be built from again. In it the lamp fills a bin of 9.5 degrees: where vertices see it
+    // at 60 degrees from the normal, half a bin is 14 % of the cosine, and of their part of the light.
     scratch.write("nodes.toml", "default = 1\n[[node]]\nposition = [2, 2, 1]\npicture = \"v.exr\"\n");
     ASSERT_EQ(scratch.run({"volume", "build", "--pictures", "nodes.toml", "-o", "p.vtu", "--bins", "15"}).exitStatus, 0);
     const auto from = numbers(scratch.run({"volume", "query", "v.vtu"}, "2 2 1 0 0 1\n").out), back = numbers(scratch.run({"volume", "query", "p.vtu"}, "2 2 1 0 0 1\n").out);
-    EXPECT_NEAR(back.at(3), from.at(3), 0.05 * from.at(3));
+    EXPECT_NEAR(back.at(3), from.at(3), 0.1 * from.at(3));
 }
 
 TEST(VolumeCommand, RefusesAnotherStateOfTheScene) {
