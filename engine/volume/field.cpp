@@ -154,7 +154,7 @@ void VolumeField::at(std::span<const Vec3> positions, std::span<const Vec3> dire
             if (!quick) continue;
             rows[i] = values_.data() + static_cast<std::size_t>(bins_.binOf(directions[first + i])) * vertices;
             const auto& corners = lattice.cells()[places[i].cell].vertices;
-            for (std::size_t c = 0; c < 8; c += 2) __builtin_prefetch(rows[i] + corners[c]);
+            for (const auto corner : corners) __builtin_prefetch(rows[i] + corner);
         }
         for (std::size_t i = 0; i < count; ++i) {
             const auto& corners = lattice.cells()[places[i].cell].vertices;
