@@ -1,11 +1,11 @@
 #include "analysis/furniture/shaded_file.h"
 #include "analysis/furniture/taken_light.h"
-#include "analysis/grids/sampling_run.h"
 #include "cli/furniture_commands.h"
 #include "cli/json_text.h"
 #include "cli/streams.h"
 #include "engine/algorithms/registry.h"
 #include "engine/core/file.h"
+#include "engine/core/stopwatch.h"
 #include "engine/io/scene_files.h"
 #include "engine/volume/volume_file.h"
 

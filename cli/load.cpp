@@ -1,7 +1,7 @@
 #include "cli/load.h"
 
-#include "analysis/grids/sampling_run.h"
 #include "cli/streams.h"
+#include "engine/core/stopwatch.h"
 #include "engine/io/rad_view.h"
 
 #include <fmt/format.h>

@@ -127,7 +127,7 @@ Exit buildFromScene(const Options& o, Context& context) {
     if (!volume) return complain(volume.error());
     if (const auto written = writeVolume(o.output, *volume); !written) return complain(written.error());
     if (volume->complete) (*journal)->remove();
-    if (updating) tellOfUpdate(*updating, *volume, VertexSampler::create(lit.transport(), **estimator, settings, context.common.seed).value());
+    if (updating && !context.common.quiet) tellOfUpdate(*updating, *volume, VertexSampler::create(lit.transport(), **estimator, settings, context.common.seed).value());
     const bool reached = volume->complete && (options.targetError == 0 || 1.96 * volume->relativeError() <= options.targetError);
     if (const auto exit = tell(*volume, o, context, reached); exit != Exit::Ok) return exit;
     return context.progress.cancelled() ? Exit::Interrupted : reached ? Exit::Ok : Exit::NotReached;

@@ -3,6 +3,7 @@
 #include "engine/io/image_files.h"
 #include "engine/volume/volume_diff.h"
 #include "engine/volume/volume_file.h"
+#include "engine/volume/volume_header.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace luxdeck::cli {
@@ -86,14 +88,10 @@ Exit runDiff(const DiffOptions& o, Context& context) {
     Json out{{"schema", "luxdeck-volume-diff/1"}, {"first", o.first}, {"second", o.second}, {"moment", o.order}, {"sameScene", first->sceneHash == second->sceneHash}};
     std::string text = fmt::format("{} ({}) against {} ({}), moment {}\n  {:<9} {:>9} {:>9}      {:>21}   {:>9}   {:>21}   {:>8}\n", o.first, first->algorithm, o.second,
                                    second->algorithm, o.order, "part", "first", "second", "rms", "99 %", "largest", "noise");
-    for (const auto* name : {"total", "direct", "indirect"}) {
-        FieldSettings settings;
-        settings.part = lightParts().at(name), settings.order = o.order;
-        const auto difference = compareVolumes(*first, *second, settings);
-        if (!difference) return complain(difference.error());
-        out[name] = differenceJson(*difference);
-        text += differenceText(name, *difference);
-    }
+    const auto differences = compareVolumes(*first, *second, o.order);
+    if (!differences) return complain(differences.error());
+    for (const auto& [name, difference] : {std::pair{"total", &differences->total}, {"direct", &differences->direct}, {"indirect", &differences->indirect}})
+        out[name] = differenceJson(*difference), text += differenceText(name, *difference);
     if (first->sceneHash != second->sceneHash) text += "The volumes are of different states of the scene.\n";
     if (!o.output.empty()) {
         const auto difference = volumeDifference(*first, *second);

@@ -1,11 +1,11 @@
 #include "analysis/compare/volume_pairs.h"
 
 #include "engine/core/rng.h"
+#include "engine/core/stopwatch.h"
 #include "engine/volume/volume_build.h"
 #include "engine/volume/volume_diff.h"
 #include "engine/volume/volume_file.h"
 
-#include <chrono>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -16,8 +16,6 @@ namespace {
 
 constexpr int kSide = 9;  // 162 bins: differences between algorithms are smooth
 
-double since(std::chrono::steady_clock::time_point begun) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count(); }
-
 struct Built {
     IrradianceVolume volume;
     double setupSeconds = 0;
@@ -26,12 +24,10 @@ struct Built {
 /// A volume by one algorithm; samples independent of those of others.
 Result<Built> buildBy(const std::string& algorithm, const LitScene& lit, const AlgorithmSettings& base, std::uint64_t seed, VolumeSettings settings,
                       std::uint32_t samples, const Progress& progress) {
-    auto own = base;
-    own.seed = seed, own.progress = &progress;
-    const auto begun = std::chrono::steady_clock::now();
-    const auto estimator = makeEstimator(algorithm, lit.transport(), own);
+    const Stopwatch clock;
+    const auto estimator = makeEstimator(algorithm, lit.transport(), base, seed, progress);
     if (!estimator) return estimator.error();
-    const double setup = since(begun);
+    const double setup = clock.seconds();
     settings.samplesPerBin = samples, settings.side = kSide;
     BuildOptions options;
     options.algorithm = algorithm, options.seed = seed;
@@ -41,13 +37,10 @@ Result<Built> buildBy(const std::string& algorithm, const LitScene& lit, const A
 }
 
 Result<void> compareParts(const IrradianceVolume& reference, const Built& built, Comparison& comparison) {
-    for (const auto& [part, name] : {std::pair{LightPart::Total, "total"}, {LightPart::Direct, "direct"}, {LightPart::Indirect, "indirect"}}) {
-        FieldSettings settings;
-        settings.part = part;
-        const auto d = compareVolumes(reference, built.volume, settings);
-        if (!d) return d.error();
+    const auto differences = compareVolumes(reference, built.volume);
+    if (!differences) return differences.error();
+    for (const auto& [name, d] : {std::pair{"total", &differences->total}, {"direct", &differences->direct}, {"indirect", &differences->indirect}})
         comparison.volumes.push_back({built.volume.algorithm, name, built.setupSeconds + built.volume.seconds, d->rms, d->p99, d->max, d->noise, d->meanSecond, d->meanFirst});
-    }
     return {};
 }
 

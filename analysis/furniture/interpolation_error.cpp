@@ -1,5 +1,7 @@
 #include "analysis/furniture/interpolation_error.h"
 
+#include "engine/volume/corners.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -59,12 +61,11 @@ bool InterpolationError::fromChildren(const IrradianceVolume& volume, std::uint3
     for (std::uint32_t child = 0; child < children; ++child)
         for (const auto v : lattice.cells()[lattice.cells()[cell].firstChild + child].vertices) {
             if (!volume.quality[v].usable() || std::find(corners.begin(), corners.end(), v) != corners.end()) continue;
-            const Vec3 f = (lattice.vertices()[v] - box.min) / (box.max - box.min);
+            const auto weights = trilinearWeights((lattice.vertices()[v] - box.min) / (box.max - box.min));
             ++count;
             for (std::size_t axis = 0; axis < 6; ++axis) {
                 double predicted = 0;
-                for (std::uint32_t i = 0; i < 8; ++i)
-                    predicted += double{volume.quality[corners[i]].lux[axis]} * ((i & 1U) != 0 ? f.x : 1 - f.x) * ((i & 2U) != 0 ? f.y : 1 - f.y) * ((i & 4U) != 0 ? f.z : 1 - f.z);
+                for (std::size_t i = 0; i < 8; ++i) predicted += double{volume.quality[corners[i]].lux[axis]} * weights[i];
                 const double off = predicted - volume.quality[v].lux[axis];
                 error2[axis] += off * off;
             }

@@ -1,7 +1,7 @@
 #include "analysis/furniture/stream_shade.h"
 
-#include "analysis/grids/sampling_run.h"
 #include "engine/core/parallel.h"
+#include "engine/core/stopwatch.h"
 #include "engine/volume/group_lookup.h"
 
 #include <algorithm>

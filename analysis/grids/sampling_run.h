@@ -3,23 +3,12 @@
 #include "analysis/grids/measurement.h"
 #include "analysis/grids/neighbours.h"
 #include "engine/core/progress.h"
+#include "engine/core/stopwatch.h"
 
-#include <chrono>
 #include <optional>
 #include <vector>
 
 namespace luxdeck {
-
-/// A wall clock that starts when it is made.
-class Stopwatch {
-public:
-    [[nodiscard]] double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// Spends samples on many targets in parallel, in rounds. What a round adds to one target comes whole or
 /// not at all, so that an interruption leaves every target with a valid estimate; results depend on seed

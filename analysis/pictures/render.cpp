@@ -1,9 +1,9 @@
 #include "analysis/pictures/render.h"
 
-#include "analysis/grids/sampling_run.h"
 #include "analysis/pictures/camera.h"
 #include "engine/algorithms/registry.h"
 #include "engine/core/parallel.h"
+#include "engine/core/stopwatch.h"
 #include "engine/core/version.h"
 #include "engine/transport/surface/surface_point.h"
 

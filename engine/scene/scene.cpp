@@ -264,10 +264,12 @@ std::vector<ContentPart> contentParts(const Scene& scene) {
         for (const auto& p : mesh.positions) boxes[mesh.object].extendBy(p);
     }
     for (std::size_t i = 0; i < objects.size(); ++i) parts.push_back({nameOr(scene.objects[i].name, "object", i), objects[i].hash(), boxes[i]});
+    std::vector<HashInput> types(scene.luminaireTypes.size());
+    for (std::size_t i = 0; i < types.size(); ++i) addLuminaireType(types[i], scene.luminaireTypes[i]);
     for (std::size_t i = 0; i < scene.luminaires.size(); ++i) {
         const auto& l = scene.luminaires[i];
-        HashInput in;
-        addLuminaireType(in, scene.luminaireTypes[l.type]), addLuminaire(in, l);
+        auto in = types[l.type];
+        addLuminaire(in, l);
         parts.push_back({nameOr(l.name, "luminaire", i), in.hash(), Box3(l.position, l.position)});
     }
     HashInput sky, pictures, space;

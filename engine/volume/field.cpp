@@ -1,6 +1,7 @@
 #include "engine/volume/field.h"
 
 #include "engine/core/parallel.h"
+#include "engine/volume/corners.h"
 
 #include <fmt/format.h>
 
@@ -10,26 +11,19 @@
 
 namespace luxdeck {
 
-namespace {
-
-/// Weights of a cell's corners.
-std::array<float, 8> trilinear(const Vec3& f) {
-    const float x0 = 1 - f.x, y0 = 1 - f.y, z0 = 1 - f.z;
-    return {x0 * y0 * z0, f.x * y0 * z0, x0 * f.y * z0, f.x * f.y * z0, x0 * y0 * f.z, f.x * y0 * f.z, x0 * f.y * f.z, f.x * f.y * f.z};
-}
-
-}  // namespace
-
 Result<VolumeField> VolumeField::make(const IrradianceVolume& volume, const FieldSettings& settings) {
     if (settings.order < 0 || settings.order > 1'000'000)
         return Error{ErrorCode::InvalidArgument, fmt::format("a moment of order {}, expected 0 (radiance) .. 1000000", settings.order)};
+    std::optional<MomentWeights> weights;
+    if (settings.order > 0) weights.emplace(volume.bins(), settings.order, settings.quadrature);
+    return make(volume, settings, weights ? &*weights : nullptr);
+}
+
+Result<VolumeField> VolumeField::make(const IrradianceVolume& volume, const FieldSettings& settings, const MomentWeights* weights) {
     if (settings.degree < 0 || settings.degree > 8)
         return Error{ErrorCode::InvalidArgument, fmt::format("spherical harmonics of degree {}, expected 0 .. 8", settings.degree)};
     VolumeField out(volume, settings);
-    std::optional<MomentWeights> weights;
-    if (settings.order > 0) weights.emplace(volume.bins(), settings.order, settings.quadrature);
-    const auto* w = weights ? &*weights : nullptr;
-    settings.basis == Basis::Bins ? out.fillBins(w) : out.fillHarmonics(w);
+    settings.basis == Basis::Bins ? out.fillBins(weights) : out.fillHarmonics(weights);
     return out;
 }
 
@@ -158,7 +152,7 @@ void VolumeField::at(std::span<const Vec3> positions, std::span<const Vec3> dire
         }
         for (std::size_t i = 0; i < count; ++i) {
             const auto& corners = lattice.cells()[places[i].cell].vertices;
-            const auto weights = trilinear(places[i].fraction);
+            const auto weights = trilinearWeights(places[i].fraction);
             Rgb sum;
             if (quick) {
                 for (std::size_t c = 0; c < 8; ++c) sum += rows[i][corners[c]] * weights[c];

@@ -34,6 +34,8 @@ class VolumeField {
 public:
     /// errors  InvalidArgument: an order or degree out of range; OutOfResources
     static Result<VolumeField> make(const IrradianceVolume& volume, const FieldSettings& settings);
+    /// The same with weights that are there already: of the volume's bins, for the settings' order and quadrature. Null: radiance.
+    static Result<VolumeField> make(const IrradianceVolume& volume, const FieldSettings& settings, const MomentWeights* weights);
 
     [[nodiscard]] const IrradianceVolume& volume() const { return *volume_; }
     [[nodiscard]] const FieldSettings& settings() const { return settings_; }

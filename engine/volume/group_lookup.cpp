@@ -1,7 +1,7 @@
 #include "engine/volume/group_lookup.h"
 
 #include "engine/core/rng.h"
-#include "engine/transport/surface/surface_point.h"
+#include "engine/volume/corners.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,19 +10,10 @@ namespace luxdeck {
 
 namespace {
 
-/// Off the surface by a hair, to its lit side.
-Vec3 lifted(const Vec3& position, const Vec3& normal) { return position + normal * (16 * spacingAt(position)); }
-
 std::uint32_t mainAxis(const Vec3& n) {
     const float x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
     const int axis = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
     return static_cast<std::uint32_t>(2 * axis + (n[axis] < 0 ? 1 : 0));
-}
-
-Ray rayTo(const Vec3& from, const Vec3& to) {
-    const Vec3 way = to - from;
-    const float length = way.length();
-    return {from, 0, length > 0 ? way / length : Vec3(0, 0, 1), length};
 }
 
 }  // namespace
@@ -58,9 +49,9 @@ void GroupLookup::find(std::span<const Vec3> positions, std::span<const Vec3> no
     std::uint64_t lastKey = ~std::uint64_t{0};
     std::uint32_t lastGroup = 0;
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        const Vec3 from = lifted(positions[i], normals[i]);
+        const Vec3 from = liftedOff(positions[i], normals[i]);
         const auto place = lattice.locate(from);
-        const bool traced = room_ != nullptr && (volume_->occupied[place.cell] != 0 || !lattice.bounds().intersects(from));
+        const bool traced = room_ != nullptr && cornersMayBeHidden(*volume_, place, from);
         std::uint64_t key = std::uint64_t{place.cell} << 10;
         if (traced) {
             for (int axis = 0; axis < 3; ++axis)
@@ -80,11 +71,11 @@ void GroupLookup::traceCorners(std::span<const Vec3> positions, std::span<const 
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
         auto& group = groups_[g];
         const auto& corners = lattice.cells()[group.cell].vertices;
-        const Vec3 from = lifted(positions[group.first], normals[group.first]);
+        const Vec3 from = liftedOff(positions[group.first], normals[group.first]);
         for (std::uint32_t c = 0; c < 8; ++c) {
             if (!volume_->quality[corners[c]].usable()) continue;
             group.seen |= static_cast<std::uint8_t>(1U << c);
-            if (traced_[g] != 0) rays_.push_back(rayTo(from, lattice.vertices()[corners[c]])), rayOf_.push_back(8 * g + c);
+            if (traced_[g] != 0) rays_.push_back(rayBetween(from, lattice.vertices()[corners[c]])), rayOf_.push_back(8 * g + c);
         }
     }
     hidden_.resize(rays_.size());
@@ -93,23 +84,14 @@ void GroupLookup::traceCorners(std::span<const Vec3> positions, std::span<const 
     for (std::size_t i = 0; i < hidden_.size(); ++i)
         if (hidden_[i] != 0) groups_[rayOf_[i] / 8].seen &= static_cast<std::uint8_t>(~(1U << rayOf_[i] % 8));
     for (auto& group : groups_)
-        if (group.seen == 0 && room_ != nullptr) lookAround(group, lifted(positions[group.first], normals[group.first]));
+        if (group.seen == 0 && room_ != nullptr) lookAround(group, liftedOff(positions[group.first], normals[group.first]));
 }
 
 /// The nearest vertices of the cells around that see the point, weighed by the inverse square of their distance.
 void GroupLookup::lookAround(Group& group, const Vec3& from) {
     const auto& lattice = volume_->lattice;
-    const auto box = lattice.box(group.cell);
-    const Vec3 middle = (box.min + box.max) * 0.5F, side = box.max - box.min;
     std::array<std::uint32_t, 216> near{};
-    std::size_t count = 0;
-    for (int i = 0; i < 27; ++i) {
-        const Vec3 step(static_cast<float>(i % 3 - 1), static_cast<float>(i / 3 % 3 - 1), static_cast<float>(i / 9 - 1));
-        for (const auto v : lattice.cells()[lattice.locate(middle + side * step).cell].vertices)
-            if (volume_->quality[v].usable()) near[count++] = v;
-    }
-    std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count));
-    count = static_cast<std::size_t>(std::unique(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count)) - near.begin());
+    const std::size_t count = usableAround(*volume_, group.cell, near);
     const auto distance2 = [&](std::uint32_t v) { return std::max((lattice.vertices()[v] - from).length2(), 1e-12F); };
     std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), [&](std::uint32_t a, std::uint32_t b) {
         return distance2(a) != distance2(b) ? distance2(a) < distance2(b) : a < b;
@@ -117,7 +99,7 @@ void GroupLookup::lookAround(Group& group, const Vec3& from) {
     std::size_t kept = 0;
     float sum = 0;
     for (std::size_t i = 0; i < count && kept < 8; ++i) {
-        const Ray ray = rayTo(from, lattice.vertices()[near[i]]);
+        const Ray ray = rayBetween(from, lattice.vertices()[near[i]]);
         std::uint8_t hidden = 0;
         room_->occluded({&ray, 1}, {&hidden, 1}, Targets::Opaque);
         ++rayCount_;
@@ -136,13 +118,10 @@ GroupLookup::Corners GroupLookup::weights(std::size_t point) const {
     Corners out;
     out.vertices = volume_->lattice.cells()[group.cell].vertices.data();
     if (group.seen == 0) return out;
-    // A corner with no weight where the point lies on a side of the cell still counts when all others are hidden.
-    constexpr float kLeast = 1e-6F;
-    const float x0 = 1 - f.x, y0 = 1 - f.y, z0 = 1 - f.z;
-    out.weights = {x0 * y0 * z0, f.x * y0 * z0, x0 * f.y * z0, f.x * f.y * z0, x0 * y0 * f.z, f.x * y0 * f.z, x0 * f.y * f.z, f.x * f.y * f.z};
+    out.weights = trilinearWeights(f);
     float sum = 0;
     for (std::uint32_t c = 0; c < 8; ++c) {
-        out.weights[c] = (group.seen >> c & 1U) != 0 ? std::max(out.weights[c], kLeast) : 0;
+        out.weights[c] = (group.seen >> c & 1U) != 0 ? std::max(out.weights[c], kLeastWeight) : 0;
         sum += out.weights[c];
     }
     const float scale = 1 / sum;

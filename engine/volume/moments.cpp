@@ -54,12 +54,9 @@ std::array<Patch, 4> quarters(const Patch& p) {
     return {{{p.u, p.v, half}, {p.u + half, p.v, half}, {p.u, p.v + half, half}, {p.u + half, p.v + half, half}}};
 }
 
-/// A bin with the nodes of its first two subdivisions, which every direction needs.
 struct Bin {
     Patch patch;
     bool lower;
-    Nodes whole;
-    std::array<Nodes, 4> parts;
     Vec3d middle;
     double cosineOfReach;  // of the angle between the middle and the farthest part
 };
@@ -69,10 +66,7 @@ Bin binOf(const DirectionBins& bins, int index) {
     Bin b;
     b.lower = index >= side * side;
     b.patch = {static_cast<double>(cell % side) / side, static_cast<double>(cell / side) / side, 1.0 / side};
-    b.whole = nodesOf(b.patch, b.lower);
-    const auto parts = quarters(b.patch);
-    for (int i = 0; i < 4; ++i) b.parts[i] = nodesOf(parts[i], b.lower);
-    b.middle = b.whole[4];
+    b.middle = nodesOf(b.patch, b.lower)[kNodes / 2];
     b.cosineOfReach = 1;
     for (const double u : {b.patch.u, b.patch.u + b.patch.side})
         for (const double v : {b.patch.v, b.patch.v + b.patch.side}) {
@@ -101,16 +95,9 @@ double binMean(const Bin& bin, const Vec3d& out, int order, double tolerance) {
     if (nearest >= kPiD / 2) return 0;  // wholly below the horizon of `out`
     if (nearest > 0 && kernel(order, std::cos(nearest)) < tolerance) return 0;
     const double lobe = 1 / std::sqrt(static_cast<double>(order));  // half-width of cos^n [rad]
-    if (lobe < 4 * reach) return refine(bin.patch, bin.lower, out, order, -1, tolerance, lobe < reach / 4 ? 0 : 1);
-    const double coarse = meanKernel(bin.whole, out, order);
-    std::array<double, 4> means{};
-    double fine = 0;
-    for (int i = 0; i < 4; ++i) fine += (means[i] = meanKernel(bin.parts[i], out, order)) / 4;
-    if (std::abs(fine - coarse) < tolerance) return fine;
-    const auto parts = quarters(bin.patch);
-    double sum = 0;
-    for (int i = 0; i < 4; ++i) sum += refine(parts[i], bin.lower, out, order, means[i], tolerance * 2, 2) / 4;
-    return sum;
+    const bool narrow = lobe < 4 * reach;
+    const double coarse = narrow ? -1 : meanKernel(nodesOf(bin.patch, bin.lower), out, order);
+    return refine(bin.patch, bin.lower, out, order, coarse, tolerance, lobe < reach / 4 ? 0 : 1);
 }
 
 /// One of the sixteen ways in which the map of directions looks the same: mirrored in x, y, z, and turned over the diagonal.

@@ -1,7 +1,7 @@
 #include "engine/volume/vertex_journal.h"
 
 #include "engine/core/file.h"
-#include "engine/volume/volume_file.h"
+#include "engine/volume/volume_header.h"
 
 #include <fmt/format.h>
 

@@ -58,6 +58,16 @@ std::uint64_t placeHash(const Vec3& p) {
     return h;
 }
 
+VertexState stateOf(const IrradianceVolume& volume, std::size_t vertex) {
+    VertexState state;
+    state.quality = volume.quality[vertex];
+    if (state.quality.samples == 0) return state;
+    const auto direct = volume.directAt(vertex), indirect = volume.indirectAt(vertex);
+    state.direct.assign(direct.begin(), direct.end()), state.indirect.assign(indirect.begin(), indirect.end());
+    state.sources = volume.sources[vertex];
+    return state;
+}
+
 VertexSampler::VertexSampler(const TransportScene& scene, const RadianceEstimator& estimator, const VolumeSettings& settings, std::uint64_t seed)
     : scene_(scene), estimator_(&estimator), settings_(settings), bins_(settings.side), seed_(seed) {
     for (int bin = 0; bin < bins_.count(); ++bin) centres_.push_back(bins_.centre(bin));
@@ -143,11 +153,8 @@ void VertexSampler::ignore(RadianceSample& sample) const {
 
 std::array<float, 6> VertexSampler::axisLux(const Round& round) const {
     std::array<double, 6> sums{};
-    const auto add = [&](const Vec3& direction, double y) {
-        for (int axis = 0; axis < 3; ++axis) sums[2 * axis + (direction[axis] < 0 ? 1 : 0)] += std::abs(double{direction[axis]}) * y;
-    };
-    for (std::size_t bin = 0; bin < centres_.size(); ++bin) add(centres_[bin], luminance(round.samples[bin].total(), scene_.scene.weights) * bins_.solidAngleSr());
-    for (const auto& source : round.sources) add(source.direction, luminance(source.lux, scene_.scene.weights));
+    for (std::size_t bin = 0; bin < centres_.size(); ++bin) addToAxes(sums, centres_[bin], luminance(round.samples[bin].total(), scene_.scene.weights) * bins_.solidAngleSr());
+    for (const auto& source : round.sources) addToAxes(sums, source.direction, luminance(source.lux, scene_.scene.weights));
     std::array<float, 6> lux{};
     for (std::size_t i = 0; i < lux.size(); ++i) lux[i] = static_cast<float>(sums[i]);
     return lux;

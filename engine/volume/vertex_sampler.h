@@ -3,6 +3,8 @@
 #include "engine/transport/radiance_estimator.h"
 #include "engine/volume/volume.h"
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -11,12 +13,20 @@ namespace luxdeck {
 /// A stream of random numbers for each place, whatever its number in a lattice.
 std::uint64_t placeHash(const Vec3& position);
 
+/// Adds light from one direction to the irradiances of surfaces that face +x -x +y -y +z -z.
+inline void addToAxes(std::array<double, 6>& lux, const Vec3& direction, double y) {
+    for (int axis = 0; axis < 3; ++axis) lux[static_cast<std::size_t>(2 * axis + (direction[axis] < 0 ? 1 : 0))] += std::abs(double{direction[axis]}) * y;
+}
+
 /// All that is known of one vertex.
 struct VertexState {
     std::vector<Rgb> direct, indirect;  // #B, means over the samples [cd/m^2]
     std::vector<SourceRay> sources;     // means over the samples
     VertexQuality quality;
 };
+
+/// What a volume holds of a vertex; empty where it has no samples.
+VertexState stateOf(const IrradianceVolume& volume, std::size_t vertex);
 
 /// Looks around from the vertices of a volume. Immutable; safe to call from any number of threads.
 class VertexSampler {

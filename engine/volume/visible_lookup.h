@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace luxdeck {
 
@@ -41,9 +42,16 @@ private:
         float weight;
     };
 
+    /// What one call works with, used again for each of its points.
+    struct Work {
+        std::vector<Candidate> candidates;
+        std::vector<Ray> rays;
+        std::vector<std::uint8_t> hidden;
+    };
+
     void lookFromCorners(const Lattice::Place& place, std::vector<Candidate>& out) const;
     void lookAround(const Vec3& from, const Lattice::Place& place, std::vector<Candidate>& out) const;
-    void keepVisible(const Vec3& from, std::vector<Candidate>& candidates, LookupCounters& counters) const;
+    void keepVisible(const Vec3& from, Work& work, LookupCounters& counters) const;
     [[nodiscard]] Rgb blend(const std::vector<Candidate>& candidates, const VolumeField::Look& look) const;
 
     const VolumeField& field_;

@@ -66,6 +66,8 @@ struct VertexQuality {
 
     /// Inside a solid, on a surface, or nothing of it is known: not to be interpolated from.
     [[nodiscard]] bool usable() const { return samples > 0 && !inside; }
+    /// Of the mean irradiance along one of the six directions [lx^2]; 0 while it is not known.
+    [[nodiscard]] double variance(std::size_t axis) const { return samples > 1 ? double{spread[axis]} / (samples * (samples - 1.0)) : 0.0; }
     /// Standard error of an irradiance, rms over the six directions [lx]; infinite from one sample.
     [[nodiscard]] double standardError() const;
     [[nodiscard]] double meanLux() const;
@@ -82,8 +84,8 @@ struct IrradianceVolume {
     std::vector<ContentPart> parts;      // of the scene: what changed since can be named
     std::string algorithm;
     std::uint64_t seed = 1;
-    double seconds = 0;                // of building, all sessions
-    std::uint64_t rays = 0;
+    double seconds = 0;                // of building, the last session alone
+    std::uint64_t rays = 0;            // likewise
     bool complete = true;              // false: interrupted; vertices may lack samples
     double interpolationError = -1;    // relative rms at vertices that a division added, against the cell before; below 0: none were
     Vec3d origin{0, 0, 0};             // user coordinates = re-based + origin [m]

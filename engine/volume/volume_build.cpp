@@ -1,12 +1,13 @@
 #include "engine/volume/volume_build.h"
 
 #include "engine/core/parallel.h"
+#include "engine/core/stopwatch.h"
+#include "engine/volume/corners.h"
 #include "engine/volume/occupancy.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -15,7 +16,6 @@ namespace luxdeck {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr double kSliceSeconds = 0.3;  // between two reports, and two entries into the store
 
 Result<Lattice> layOut(const Scene& scene, const VolumeSettings& s) {
@@ -52,7 +52,7 @@ double contrast(const Lattice::Cell& cell, const std::vector<VertexQuality>& qua
             const auto& q = quality[v];
             if (!q.usable()) continue;
             low = std::min(low, double{q.lux[axis]}), high = std::max(high, double{q.lux[axis]});
-            if (q.samples > 1) noise = std::max(noise, std::sqrt(double{q.spread[axis]} / (q.samples * (q.samples - 1.0))));
+            noise = std::max(noise, std::sqrt(q.variance(axis)));
         }
         // The range of eight equal values with this noise is 2.85 standard errors on average.
         worst = std::max(worst, (high - low - 2.85 * noise) / std::max(0.5 * (low + high), 0.25 * mean));
@@ -76,15 +76,15 @@ public:
 private:
     void addVertex(const IrradianceVolume& volume, const Lattice::Cell& cell, const Box3& box, std::uint32_t vertex) {
         const auto& q = volume.quality[vertex];
-        Vec3 f = (volume.lattice.vertices()[vertex] - box.min) / (box.max - box.min);
+        const auto weights = trilinearWeights((volume.lattice.vertices()[vertex] - box.min) / (box.max - box.min));
         for (std::size_t axis = 0; axis < 6; ++axis) {
-            double predicted = 0, noise2 = q.samples > 1 ? q.spread[axis] / (q.samples * (q.samples - 1.0)) : 0;
+            double predicted = 0, noise2 = q.variance(axis);
             for (std::uint32_t i = 0; i < 8; ++i) {
                 const auto& corner = volume.quality[cell.vertices[i]];
                 if (!corner.usable()) return;
-                const double w = ((i & 1U) != 0 ? f.x : 1 - f.x) * ((i & 2U) != 0 ? f.y : 1 - f.y) * ((i & 4U) != 0 ? f.z : 1 - f.z);
+                const double w = weights[i];
                 predicted += w * corner.lux[axis];
-                if (corner.samples > 1) noise2 += w * w * corner.spread[axis] / (corner.samples * (corner.samples - 1.0));
+                noise2 += w * w * corner.variance(axis);
             }
             error2_ += (predicted - q.lux[axis]) * (predicted - q.lux[axis]) - noise2;
             lux2_ += double{q.lux[axis]} * q.lux[axis];
@@ -111,7 +111,7 @@ public:
             if (samples > kMostSamples) break;
             if (const auto done = sampleFrom(0, samples); !done) return done;
         }
-        volume_.seconds = elapsed();
+        volume_.seconds = clock_.seconds();
         volume_.rays = counters_.rays;
         return {};
     }
@@ -120,9 +120,8 @@ private:
     static constexpr std::uint32_t kMostSamples = 1U << 16;
     static constexpr double kMostBytes = 16e9;
 
-    [[nodiscard]] double elapsed() const { return std::chrono::duration<double>(Clock::now() - begun_).count(); }
     [[nodiscard]] bool reached() const { return 1.96 * volume_.relativeError() <= options_.targetError; }
-    [[nodiscard]] bool mustStop() const { return progress_.cancelled() || (options_.timeSeconds && elapsed() > *options_.timeSeconds); }
+    [[nodiscard]] bool mustStop() const { return progress_.cancelled() || (options_.timeSeconds && clock_.seconds() > *options_.timeSeconds); }
 
     Result<void> refine() {
         PredictionError errors;
@@ -164,9 +163,9 @@ private:
                 return {};
             }
             const std::size_t end = std::min(count, next + slice);
-            const double before = elapsed();
+            const double before = clock_.seconds();
             if (const auto kept = sampleSlice(next, end, samples); !kept) return kept;
-            const double took = std::max(elapsed() - before, 1e-3);
+            const double took = std::max(clock_.seconds() - before, 1e-3);
             tell(static_cast<double>(end - first), static_cast<double>(count - first));
             slice = std::clamp(static_cast<std::size_t>(static_cast<double>(end - next) * kSliceSeconds / took), std::size_t{1}, 4 * slice);
             next = end;
@@ -179,7 +178,7 @@ private:
         const std::span positions(volume_.lattice.vertices().data() + first, count);
         std::vector<VertexState> states(count);
         std::vector<std::uint8_t> worked(count);
-        for (std::size_t i = 0; i < count; ++i) states[i] = stateOf(first + i);
+        for (std::size_t i = 0; i < count; ++i) states[i] = stateOf(volume_, first + i);
         std::vector<TransportCounters> counters(count);
         parallelFor(count, [&](std::size_t i) {
             worked[i] = states[i].quality.samples < samples ? 1 : 0;
@@ -204,16 +203,6 @@ private:
                 if (const auto found = options_.store->find(volume_.lattice.vertices()[v])) take(v, *found);
     }
 
-    VertexState stateOf(std::size_t vertex) const {
-        VertexState state;
-        state.quality = volume_.quality[vertex];
-        if (state.quality.samples == 0) return state;
-        const auto direct = volume_.directAt(vertex), indirect = volume_.indirectAt(vertex);
-        state.direct.assign(direct.begin(), direct.end()), state.indirect.assign(indirect.begin(), indirect.end());
-        state.sources = volume_.sources[vertex];
-        return state;
-    }
-
     void take(std::size_t vertex, const VertexState& state) {
         std::copy(state.direct.begin(), state.direct.end(), volume_.direct.begin() + static_cast<std::ptrdiff_t>(vertex * volume_.binCount()));
         std::copy(state.indirect.begin(), state.indirect.end(), volume_.indirect.begin() + static_cast<std::ptrdiff_t>(vertex * volume_.binCount()));
@@ -223,7 +212,7 @@ private:
 
     void tell(double done, double all) {
         state_.fraction = done / all;
-        state_.rate = done / elapsed();
+        state_.rate = done / clock_.seconds();
         state_.secondsLeft = (all - done) / std::max(state_.rate, 1e-9);
         const double error = volume_.relativeError();
         state_.errorPercent = std::isfinite(error) ? 196 * error : -1;
@@ -237,7 +226,7 @@ private:
     IrradianceVolume& volume_;
     TransportCounters counters_;
     ProgressState state_;
-    Clock::time_point begun_ = Clock::now();
+    Stopwatch clock_;
 };
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace luxdeck {
 
@@ -19,11 +21,8 @@ Result<void> checkSameShape(const IrradianceVolume& a, const IrradianceVolume& b
     return {};
 }
 
-}  // namespace
-
-Result<FieldDifference> compareVolumes(const IrradianceVolume& first, const IrradianceVolume& second, const FieldSettings& settings) {
-    if (const auto same = checkSameShape(first, second); !same) return same.error();
-    const auto a = VolumeField::make(first, settings), b = VolumeField::make(second, settings);
+Result<FieldDifference> comparePart(const IrradianceVolume& first, const IrradianceVolume& second, const FieldSettings& settings, const MomentWeights& weights) {
+    const auto a = VolumeField::make(first, settings, &weights), b = VolumeField::make(second, settings, &weights);
     if (!a) return a.error();
     if (!b) return b.error();
     FieldDifference out;
@@ -52,6 +51,23 @@ Result<FieldDifference> compareVolumes(const IrradianceVolume& first, const Irra
     const double p99 = *at99;
     out.maxLux = *std::max_element(at99, differences.end());
     if (scale > 0) out.rms = out.rmsLux / scale, out.p99 = p99 / scale, out.max = out.maxLux / scale, out.noise = std::sqrt(noise2 / static_cast<double>(out.vertices)) / scale;
+    return out;
+}
+
+}  // namespace
+
+Result<VolumeDifferences> compareVolumes(const IrradianceVolume& first, const IrradianceVolume& second, int order) {
+    if (const auto same = checkSameShape(first, second); !same) return same.error();
+    FieldSettings settings;
+    settings.order = order;
+    const MomentWeights weights(first.bins(), order, settings.quadrature);
+    VolumeDifferences out;
+    for (const auto& [part, difference] : {std::pair{LightPart::Total, &out.total}, {LightPart::Direct, &out.direct}, {LightPart::Indirect, &out.indirect}}) {
+        settings.part = part;
+        const auto compared = comparePart(first, second, settings, weights);
+        if (!compared) return compared.error();
+        *difference = *compared;
+    }
     return out;
 }
 

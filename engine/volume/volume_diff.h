@@ -15,8 +15,13 @@ struct FieldDifference {
     std::size_t vertices = 0;       // that both know
 };
 
+struct VolumeDifferences {
+    FieldDifference total, direct, indirect;
+};
+
+/// order   of the moment compared; 1 is irradiance
 /// errors  InvalidArgument: another lattice or other bins, naming what differs
-Result<FieldDifference> compareVolumes(const IrradianceVolume& first, const IrradianceVolume& second, const FieldSettings& settings);
+Result<VolumeDifferences> compareVolumes(const IrradianceVolume& first, const IrradianceVolume& second, int order = 1);
 
 /// A volume that holds first - second, to be looked at: light may be negative in it.
 ///

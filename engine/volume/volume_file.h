@@ -35,7 +35,4 @@ std::vector<std::string> sceneChanges(const IrradianceVolume& volume, const Scen
 /// errors  InvalidArgument naming what changed (the first few of it), when the volume is not of this scene
 Result<void> checkVolumeIsOf(const IrradianceVolume& volume, const Scene& scene);
 
-/// The settings as text, and back: what a build is recognised by.
-std::string settingsText(const VolumeSettings& settings);
-
 }  // namespace luxdeck

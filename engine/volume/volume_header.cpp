@@ -1,7 +1,5 @@
 #include "engine/volume/volume_header.h"
 
-#include "engine/volume/volume_file.h"
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

@@ -8,6 +8,9 @@
 
 namespace luxdeck {
 
+/// The settings as JSON text: what a build is recognised by.
+std::string settingsText(const VolumeSettings& settings);
+
 /// Everything of a volume but its arrays, as JSON text.
 std::string headerText(const IrradianceVolume& volume);
 

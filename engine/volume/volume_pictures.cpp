@@ -1,13 +1,15 @@
 #include "engine/volume/volume_pictures.h"
 
 #include "engine/core/file.h"
+#include "engine/core/stopwatch.h"
 #include "engine/io/image_files.h"
+#include "engine/volume/vertex_sampler.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace luxdeck {
@@ -46,23 +48,21 @@ int partsOf(double pixelRad, const DirectionBins& bins) {
     return std::clamp(static_cast<int>(std::ceil(48 * pixelRad / bin)), 1, 64);
 }
 
-Result<std::vector<Rgb>> readNode(const PanoramaNode& node, double defaultCdM2, const DirectionBins& bins) {
-    const auto picture = readHdrImage(node.picture);
+Result<Image> readPanorama(const PanoramaNode& node) {
+    auto picture = readHdrImage(node.picture);
     if (!picture) return picture.error();
     const double aspect = static_cast<double>(picture->width()) / picture->height(), expected = 360 / (node.highestDeg - node.lowestDeg);
     if (aspect < 0.95 * expected || aspect > 1.05 * expected)
         return Error{ErrorCode::InvalidArgument, fmt::format("is {} x {} pixels, expected {:.3g} times as wide as high for a panorama from {} to {} degrees of latitude",
                                                              picture->width(), picture->height(), expected, node.lowestDeg, node.highestDeg), node.picture.string()};
-    return binsOfPanorama(*picture, node.lowestDeg, node.highestDeg, defaultCdM2, bins);
+    return picture;
 }
 
-std::array<float, 6> axisLux(const std::vector<Rgb>& radiance, const DirectionBins& bins) {
+std::array<float, 6> axisLux(const std::vector<Rgb>& radiance, const DirectionBins& bins, const LuminanceWeights& weights) {
+    std::array<double, 6> sums{};
+    for (int bin = 0; bin < bins.count(); ++bin) addToAxes(sums, bins.centre(bin), luminance(radiance[static_cast<std::size_t>(bin)], weights) * bins.solidAngleSr());
     std::array<float, 6> lux{};
-    for (int bin = 0; bin < bins.count(); ++bin) {
-        const Vec3 d = bins.centre(bin);
-        const auto y = static_cast<float>(luminance(radiance[static_cast<std::size_t>(bin)]) * bins.solidAngleSr());
-        for (int axis = 0; axis < 3; ++axis) lux[static_cast<std::size_t>(2 * axis + (d[axis] < 0 ? 1 : 0))] += std::abs(d[axis]) * y;
-    }
+    for (std::size_t i = 0; i < lux.size(); ++i) lux[i] = static_cast<float>(sums[i]);
     return lux;
 }
 
@@ -169,11 +169,13 @@ Result<std::vector<std::vector<Rgb>>> readSpheres(const PanoramaNodes& nodes, co
         const auto& node = nodes.nodes[i];
         auto& sphere = spheres[indexOf(axes, axes[0].indexOf(node.position.x), axes[1].indexOf(node.position.y), axes[2].indexOf(node.position.z))];
         if (!sphere.empty()) return Error{ErrorCode::InvalidArgument, "two nodes are at one place", node.picture.string()};
-        auto read = readNode(node, nodes.defaultCdM2, v.bins());
-        if (!read) return read.error();
-        sphere = *std::move(read);
-        const auto bytes = readFile(node.picture);
-        v.parts.push_back({"picture " + node.picture.filename().string(), bytes ? contentHash(*bytes) : "", {}});
+        const auto picture = readPanorama(node);
+        if (!picture) return picture.error();
+        if (i == 0) v.weights = picture->weights;
+        if (!(picture->weights == v.weights)) return Error{ErrorCode::InvalidArgument, "has other primaries than the pictures before it", node.picture.string()};
+        sphere = binsOfPanorama(*picture, node.lowestDeg, node.highestDeg, nodes.defaultCdM2, v.bins());
+        const std::string_view bytes(reinterpret_cast<const char*>(sphere.data()), sphere.size() * sizeof(Rgb));
+        v.parts.push_back({"picture " + node.picture.filename().string(), contentHash(bytes), {}});
         hashes += v.parts.back().hash;
         progress.report({"reading pictures", static_cast<double>(i + 1) / static_cast<double>(nodes.nodes.size())});
     }
@@ -184,7 +186,7 @@ Result<std::vector<std::vector<Rgb>>> readSpheres(const PanoramaNodes& nodes, co
 }  // namespace
 
 Result<IrradianceVolume> buildVolumeFromPictures(const PanoramaNodes& nodes, int side, const Progress& progress) {
-    const auto begun = std::chrono::steady_clock::now();
+    const Stopwatch clock;
     const auto axes = axesOf(nodes);
     if (!axes) return axes.error();
     IrradianceVolume v;
@@ -201,13 +203,13 @@ Result<IrradianceVolume> buildVolumeFromPictures(const PanoramaNodes& nodes, int
                 const auto& sphere = (*spheres)[indexOf(*axes, place(x, 0), place(y, 1), place(z, 2))];
                 v.indirect.insert(v.indirect.end(), sphere.begin(), sphere.end());
                 VertexQuality quality;
-                quality.samples = 1, quality.lux = axisLux(sphere, v.bins());
+                quality.samples = 1, quality.lux = axisLux(sphere, v.bins(), v.weights);
                 v.quality.push_back(quality);
             }
     v.direct.resize(v.indirect.size());
     v.sources.resize(v.vertexCount());
     v.occupied.resize(v.lattice.cells().size());
-    v.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    v.seconds = clock.seconds();
     return v;
 }
 

@@ -15,7 +15,7 @@ namespace luxdeck {
 ///
 /// side    of the directional bins
 /// errors  those of reading; InvalidArgument: nodes that form no regular grid, a picture whose sides are not those of a
-///         panorama; Cancelled
+///         panorama, pictures of different primaries; Cancelled
 Result<IrradianceVolume> buildVolumeFromPictures(const PanoramaNodes& nodes, int side, const Progress& progress);
 
 /// Radiance in bins from one picture, #B.

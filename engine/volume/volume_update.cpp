@@ -62,14 +62,9 @@ std::optional<VertexState> VolumeUpdate::find(const Vec3& position) {
         if (auto known = journal_->find(position)) return known;
     const auto found = vertexOf_.find(placeOf(position));
     if (found == vertexOf_.end() || affected(position)) return std::nullopt;
-    VertexState state;
-    state.quality = old_.quality[found->second];
-    if (state.quality.samples == 0) return std::nullopt;
-    const auto direct = old_.directAt(found->second), indirect = old_.indirectAt(found->second);
-    state.direct.assign(direct.begin(), direct.end()), state.indirect.assign(indirect.begin(), indirect.end());
-    state.sources = old_.sources[found->second];
+    if (old_.quality[found->second].samples == 0) return std::nullopt;
     ++kept_;
-    return state;
+    return stateOf(old_, found->second);
 }
 
 Result<void> VolumeUpdate::keep(std::span<const Vec3> positions, std::span<const VertexState> states) {

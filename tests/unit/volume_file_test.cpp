@@ -2,6 +2,7 @@
 #include "engine/volume/vertex_journal.h"
 #include "engine/volume/volume_build.h"
 #include "engine/volume/volume_file.h"
+#include "engine/volume/volume_header.h"
 
 #include "engine/core/file.h"
 #include "engine/core/rng.h"
