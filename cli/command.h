@@ -74,6 +74,7 @@ Command addExport(CLI::App& program);
 Command addTonemap(CLI::App& program);
 Command addValidate(CLI::App& program);
 Command addCompare(CLI::App& program);
+Command addGui(CLI::App& program);
 /// build, query, info, diff and export, each a command of its own behind `volume`.
 std::vector<Command> addVolume(CLI::App& program);
 #ifdef LUXDECK_REPORT

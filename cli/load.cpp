@@ -1,7 +1,6 @@
 #include "cli/load.h"
 
 #include "cli/streams.h"
-#include "engine/core/stopwatch.h"
 #include "engine/io/rad_view.h"
 
 #include <fmt/format.h>
@@ -18,19 +17,8 @@ void printWarnings(const std::vector<std::string>& warnings, bool quiet) {
 Result<std::unique_ptr<Loaded>> load(const std::string& path, bool quiet) { return load(std::vector<std::string>{path}, quiet); }
 
 Result<std::unique_ptr<Loaded>> load(const std::vector<std::string>& paths, bool quiet) {
-    const Stopwatch clock;
-    auto project = loadProject(std::vector<std::filesystem::path>(paths.begin(), paths.end()));
-    if (!project) return project.error();
-    auto loaded = std::make_unique<Loaded>();
-    loaded->project = *std::move(project);
-    auto lit = LitScene::create(loaded->project.scene);
-    if (!lit) return lit.error();
-    loaded->lit = *std::move(lit);
-    auto& scene = loaded->project.scene;
-    if (scene.luminaires.empty() && !scene.sky.present() && scene.sky.suns.empty() && !loaded->lit.needs().meshLights)
-        scene.warnings.emplace_back("there is no light in this scene: no luminaire, no sky and no emitting surface");
-    printWarnings(scene.warnings, quiet);
-    loaded->seconds = clock.seconds();
+    auto loaded = loadLit(std::vector<std::filesystem::path>(paths.begin(), paths.end()));
+    if (loaded) printWarnings((*loaded)->project.scene.warnings, quiet);
     return loaded;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "engine/io/project.h"
-#include "engine/transport/lit_scene.h"
+#include "engine/algorithms/lit_project.h"
 
 #include <memory>
 #include <string>
@@ -9,12 +8,7 @@
 
 namespace luxdeck::cli {
 
-/// A project with all that light needs. On the heap: the parts refer to each other.
-struct Loaded {
-    Project project;
-    LitScene lit;
-    double seconds = 0;  // reading and building
-};
+using Loaded = LitProject;
 
 /// Reads a project or a bare scene and makes it ready; prints its warnings unless quiet.
 Result<std::unique_ptr<Loaded>> load(const std::string& path, bool quiet);

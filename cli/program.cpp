@@ -41,6 +41,7 @@ std::vector<Command> addCommands(CLI::App& program) {
 #ifdef LUXDECK_REPORT
     all.push_back(addReport(program));
 #endif
+    all.push_back(addGui(program));
     return all;
 }
 

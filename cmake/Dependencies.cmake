@@ -30,3 +30,18 @@ message(STATUS "Embree ${embree_VERSION}")
 if(LUXDECK_REPORT)
   find_package(Qt5 REQUIRED COMPONENTS Gui Svg)
 endif()
+
+if(LUXDECK_GUI)
+  if(NOT LUXDECK_REPORT)
+    message(FATAL_ERROR "LUXDECK_GUI needs LUXDECK_REPORT: the program previews and writes reports")
+  endif()
+  find_package(Qt5 REQUIRED COMPONENTS Widgets)
+  # Quiet: VTK's own find modules talk about what it was built with.
+  find_package(VTK 9.1 QUIET REQUIRED COMPONENTS
+    CommonCore CommonDataModel CommonTransforms FiltersCore FiltersGeneral FiltersModeling FiltersSources GUISupportQt
+    ImagingCore InteractionStyle InteractionWidgets IOImage RenderingAnnotation RenderingContextOpenGL2 RenderingCore RenderingFreeType
+    RenderingOpenGL2 RenderingUI)
+  if(NOT VTK_QT_VERSION EQUAL 5)
+    message(FATAL_ERROR "VTK was built with Qt ${VTK_QT_VERSION}, expected 5: the program has to use the same Qt")
+  endif()
+endif()

@@ -72,7 +72,7 @@ public:
                        meetsLampsByChance(project.scene, lit.needs(), lit.transport().mirrors);
     }
 
-    SolveResult run() {
+    SolveResult run(const std::function<void(const SolveResult&)>& afterRound) {
         std::vector<std::uint32_t> request(points_.size(), firstRequest());
         bool going = true;
         while (going) {
@@ -80,6 +80,7 @@ public:
             assess();
             predict();
             if (settings_.samples || reached()) break;
+            if (afterRound) tellSoFar(afterRound);
             request = nextRequest();
         }
         finish();
@@ -184,6 +185,12 @@ private:
         progress_.report(state_);
     }
 
+    void tellSoFar(const std::function<void(const SolveResult&)>& afterRound) {
+        finish();
+        result_.complete = result_.targetReached = false;
+        afterRound(result_);
+    }
+
     void finish() {
         const auto& counters = run_.counters();
         auto& r = result_;
@@ -245,7 +252,7 @@ private:
 }  // namespace
 
 Result<SolveResult> solve(const Project& project, const LitScene& lit, const SolveSettings& settings,
-                          const Progress& progress) {
+                          const Progress& progress, const std::function<void(const SolveResult&)>& afterRound) {
     const Stopwatch preparing;
     auto estimator = makeEstimator(settings.algorithm, lit.transport(), settings.algorithmSettings, settings.seed, progress);
     const double prepared = preparing.seconds();
@@ -258,7 +265,7 @@ Result<SolveResult> solve(const Project& project, const LitScene& lit, const Sol
         return Error{ErrorCode::InvalidArgument, "neither a target error nor a time: solving would never end"};
     if (settings.byLuminaire)
         if (const auto possible = canKeepLayers(project, **estimator, settings, *layouts); !possible) return possible.error();
-    auto result = Solve(project, lit, settings, **estimator, *std::move(layouts), progress).run();
+    auto result = Solve(project, lit, settings, **estimator, *std::move(layouts), progress).run(afterRound);
     result.setupSeconds = prepared;
     return result;
 }

@@ -5,6 +5,7 @@
 #include "engine/transport/lit_scene.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -30,10 +31,11 @@ inline constexpr double kDarkPoint = 0.1;
 /// marked incomplete.
 ///
 /// lit        made of project.scene
+/// afterRound called on the calling thread with the grids and the trace so far; may be empty
 /// errors     InvalidArgument: no such algorithm, a setting out of range, a grid that cannot be laid out, an algorithm
 ///            that does not know where light comes from (byLuminaire), or more layers than memory should hold,
 ///            nothing to solve
 Result<SolveResult> solve(const Project& project, const LitScene& lit, const SolveSettings& settings,
-                          const Progress& progress);
+                          const Progress& progress, const std::function<void(const SolveResult&)>& afterRound = {});
 
 }  // namespace luxdeck

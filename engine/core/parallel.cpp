@@ -3,6 +3,10 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_scheduler_observer.h>
+
+#include <sys/resource.h>
+#include <unistd.h>
 
 namespace luxdeck {
 
@@ -38,6 +42,27 @@ ThreadLimit::~ThreadLimit() {
     delete static_cast<tbb::global_control*>(control_);
     g_arenaWidth = before_;
 }
+
+void yieldToOthers() {
+    constexpr int kNiceness = 10;
+    // On Linux niceness belongs to a thread. Refused, threads stay as they are.
+    (void)setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNiceness);
+}
+
+class YieldingWorkers::Observer : public tbb::task_scheduler_observer {
+public:
+    Observer() { observe(true); }
+    ~Observer() override { observe(false); }
+    Observer(const Observer&) = delete;
+    Observer& operator=(const Observer&) = delete;
+
+    void on_scheduler_entry(bool isWorker) override {
+        if (isWorker) yieldToOthers();
+    }
+};
+
+YieldingWorkers::YieldingWorkers() : observer_(std::make_unique<Observer>()) {}
+YieldingWorkers::~YieldingWorkers() = default;
 
 int threadCount() {
     return g_arenaWidth > 0 ? g_arenaWidth : tbb::this_task_arena::max_concurrency();

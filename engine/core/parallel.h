@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace luxdeck {
 
@@ -21,6 +22,23 @@ private:
     void* control_ = nullptr;  // tbb::global_control, kept out of this header
     int before_ = 0;           // threads of the limit that this one is within
 };
+
+/// While it lives, threads that help others (not those that call parallelFor) yield to everything else on the machine, so
+/// that a window stays quick while its room is being lit. Where the system refuses, nothing happens.
+class YieldingWorkers {
+public:
+    YieldingWorkers();
+    ~YieldingWorkers();
+    YieldingWorkers(const YieldingWorkers&) = delete;
+    YieldingWorkers& operator=(const YieldingWorkers&) = delete;
+
+private:
+    class Observer;
+    std::unique_ptr<Observer> observer_;
+};
+
+/// Makes the calling thread, and those it starts, yield likewise.
+void yieldToOthers();
 
 /// Threads that parallelFor uses now.
 int threadCount();

@@ -104,5 +104,7 @@ struct Project {
 /// errors  FileNotFound, Parse, Unsupported, InvalidArgument: "file:line: what was seen, what was expected"
 Result<Project> loadProject(const std::filesystem::path& path);
 Result<Project> loadProject(const std::vector<std::filesystem::path>& paths);
+/// The same of a project file's text that is not saved yet; the files it names are looked for beside `file`.
+Result<Project> loadProjectText(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace luxdeck

@@ -170,11 +170,9 @@ Result<Project> build(ProjectSpec spec, const fs::path& file) {
     return project;
 }
 
-Result<Project> loadProjectFile(const fs::path& file) {
-    const auto bytes = readFile(file, kMaxProjectBytes);
-    if (!bytes) return bytes.error();
+Result<Project> readText(const fs::path& file, const std::string& text) {
     Diagnostics diagnostics;
-    const auto document = TomlDocument::parse(*bytes, file.string(), diagnostics);
+    const auto document = TomlDocument::parse(text, file.string(), diagnostics);
     if (!document) return document.error();
     auto spec = readSpec(document->root(kRoot), file, diagnostics);
     if (!spec) return spec.error();
@@ -182,8 +180,13 @@ Result<Project> loadProjectFile(const fs::path& file) {
     if (!project) return project;
     auto& warnings = project->scene.warnings;
     warnings.insert(warnings.begin(), diagnostics.warnings().begin(), diagnostics.warnings().end());
-    project->fileHash = contentHash(*bytes);
+    project->fileHash = contentHash(text);
     return project;
+}
+
+Result<Project> loadProjectFile(const fs::path& file) {
+    const auto bytes = readFile(file, kMaxProjectBytes);
+    return bytes ? readText(file, *bytes) : Result<Project>(bytes.error());
 }
 
 /// The files of a model by themselves, read as one.
@@ -235,21 +238,31 @@ Result<Project> loadByExtension(const std::vector<fs::path>& files) {
     return lowerExtension(files.front()) == ".toml" ? loadProjectFile(files.front()) : loadBareScene(files);
 }
 
+/// What a reader did not expect becomes an error, and a project knows its file.
+template <class Read>
+Result<Project> guarded(const fs::path& file, const Read& read) {
+    try {
+        Result<Project> project = read();
+        if (project) project->file = file;
+        return project;
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::OutOfResources, "too little memory to read it", file.string()};
+    } catch (const std::exception& e) {
+        return Error{ErrorCode::Internal, e.what(), file.string()};
+    }
+}
+
 }  // namespace
 
 Result<Project> loadProject(const std::vector<fs::path>& paths) {
     if (paths.empty()) return Error{ErrorCode::InvalidArgument, "no file is named, expected a project or a scene", {}};
-    try {
-        auto project = loadByExtension(paths);
-        if (project) project->file = paths.front();
-        return project;
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::OutOfResources, "too little memory to read it", paths.front().string()};
-    } catch (const std::exception& e) {
-        return Error{ErrorCode::Internal, e.what(), paths.front().string()};
-    }
+    return guarded(paths.front(), [&] { return loadByExtension(paths); });
 }
 
 Result<Project> loadProject(const fs::path& path) { return loadProject(std::vector<fs::path>{path}); }
+
+Result<Project> loadProjectText(const fs::path& file, const std::string& text) {
+    return guarded(file, [&] { return readText(file, text); });
+}
 
 }  // namespace luxdeck

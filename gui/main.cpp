@@ -1,0 +1,3 @@
+#include "gui/app/start.h"
+
+int main(int argc, char** argv) { return luxdeck::gui::run(argc, argv); }

@@ -1,0 +1,100 @@
+// A session without a window: what the program does when its buttons are pressed.
+#include "tests/gui/open_session.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace luxdeck::gui {
+namespace {
+
+using test::OpenSession;
+using test::OwnFolder;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Session::Edit replaced(const std::string& what, const std::string& by) {
+    return [=](const std::string& text) -> Result<std::string> {
+        auto out = text;
+        out.replace(out.find(what), what.size(), by);
+        return out;
+    };
+}
+
+TEST(Session, OpensSolvesAndCloses) {
+    const OwnFolder folder;
+    OpenSession open;
+    ASSERT_TRUE(open.open(folder.sample("office"))) << open.errors();
+    SolveSettings settings;
+    settings.samples = 64;
+    open.session.solving.start(settings);
+    ASSERT_TRUE(open.untilIdle());
+    ASSERT_NE(open.session.solving.result(), nullptr) << open.errors();
+    EXPECT_TRUE(open.session.solving.current());
+    EXPECT_EQ(open.session.solving.result()->grids.size(), open.session.project()->project.grids.size());
+    open.session.close();
+    EXPECT_EQ(open.session.project(), nullptr);
+    EXPECT_EQ(open.session.solving.result(), nullptr);
+}
+
+TEST(Session, AnEditMakesTheResultOldAndUndoMakesItCurrentAgain) {
+    const OwnFolder folder;
+    OpenSession open;
+    ASSERT_TRUE(open.open(folder.sample("office")));
+    SolveSettings settings;
+    settings.samples = 64;
+    open.session.solving.start(settings);
+    ASSERT_TRUE(open.untilIdle());
+    ASSERT_TRUE(open.session.edit("Darker carpet", replaced("reflectance = [0.190, 0.200, 0.215]", "reflectance = 0.1")));
+    ASSERT_TRUE(open.untilIdle());
+    EXPECT_FALSE(open.session.solving.current());
+    EXPECT_TRUE(open.session.document().modified());
+    open.session.undo();
+    ASSERT_TRUE(open.untilIdle());
+    EXPECT_TRUE(open.session.solving.current());
+    EXPECT_FALSE(open.session.document().modified());
+    EXPECT_THAT(open.errors(), IsEmpty());
+}
+
+TEST(Session, AnImpossibleEditIsTakenBackAndSaysWhatIsWrong) {
+    const OwnFolder folder;
+    OpenSession open;
+    ASSERT_TRUE(open.open(folder.sample("office")));
+    const auto before = open.session.document().text();
+    ASSERT_TRUE(open.session.edit("Bright carpet", replaced("reflectance = [0.190, 0.200, 0.215]", "reflectance = 1.9")));
+    ASSERT_TRUE(open.untilIdle());
+    EXPECT_EQ(open.session.document().text(), before);
+    EXPECT_FALSE(open.session.document().canUndo());
+    EXPECT_THAT(open.errors(), HasSubstr("project.toml:"));
+    EXPECT_THAT(open.errors(), HasSubstr("1.9"));
+    EXPECT_NE(open.session.project(), nullptr);
+}
+
+TEST(Session, ClosingStopsWhatRuns) {
+    const OwnFolder folder;
+    OpenSession open;
+    ASSERT_TRUE(open.open(folder.sample("office")));
+    SolveSettings settings;
+    settings.targetError = 0;
+    settings.timeSeconds = 3600;
+    open.session.solving.start(settings);
+    open.session.close();
+    EXPECT_TRUE(open.untilIdle());
+}
+
+TEST(Session, AutosaveKeepsWhatIsNotSavedAndGoesWhenItIs) {
+    const OwnFolder folder;
+    const auto file = folder.sample("office");
+    OpenSession open;
+    ASSERT_TRUE(open.open(file));
+    ASSERT_TRUE(open.session.edit("Darker carpet", replaced("reflectance = [0.190, 0.200, 0.215]", "reflectance = 0.1")));
+    ASSERT_TRUE(open.untilIdle());
+    open.session.autosave();
+    const auto kept = Document::open(file);
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(kept->recoverable(), open.session.document().text());
+    ASSERT_TRUE(open.session.save());
+    EXPECT_THAT(Document::open(file)->recoverable(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace luxdeck::gui
