@@ -62,6 +62,7 @@ struct ViewSettings {
     LightPart part = LightPart::Total;
     CutPlane section;
 
+    std::string volume;              ///< whose light is shown, by name; empty: the session's (Volumes::shown())
     bool glyphs = false;             ///< spheres at the volume's vertices
     int order = 1;                   ///< 0: radiance, 1: irradiance, more: moments
     double glyphRadiusM = 0.12;

@@ -70,6 +70,11 @@ void Volumes::show(std::size_t index) {
     place_.tell(Change::Volumes);
 }
 
+const VolumeState* Volumes::named(const std::string& name) const {
+    const auto at = std::find_if(all_.begin(), all_.end(), [&](const auto& v) { return v.name == name; });
+    return at == all_.end() ? shown() : &*at;
+}
+
 void Volumes::follow() {
     bool changed = false;
     for (auto& state : all_) {

@@ -46,6 +46,8 @@ public:
     [[nodiscard]] const VolumeState* shown() const { return shown_ < all_.size() ? &all_[shown_] : nullptr; }
     [[nodiscard]] std::size_t shownIndex() const { return shown_; }
     void show(std::size_t index);
+    /// The one of that name; shown() for none, or when there is no such any more.
+    [[nodiscard]] const VolumeState* named(const std::string& name) const;
 
     void follow();
     void clear();
