@@ -3,6 +3,7 @@
 #include "engine/core/file.h"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace luxdeck::gui {
@@ -111,6 +112,13 @@ Result<void> Session::saveAs(const fs::path& file) {
     auto saved = document_.saveAs(file);
     if (saved) place.tell(Change::Document);
     return saved;
+}
+
+void Session::forget() {
+    std::error_code ignored;
+    fs::remove(document_.autosaveFile(), ignored);
+    document_ = Document(document_.file(), document_.text());
+    editable_ = false;
 }
 
 void Session::autosave() {

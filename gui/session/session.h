@@ -52,6 +52,8 @@ public:
     void redo();
     Result<void> save();
     Result<void> saveAs(const std::filesystem::path& file);
+    /// Lets go of what is not saved, and of what was kept of it: the user wants it so.
+    void forget();
     /// Keeps what is not saved (Document::autosave); a failure goes to the log, once.
     void autosave();
 

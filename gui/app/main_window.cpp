@@ -1,0 +1,117 @@
+#include "gui/app/main_window.h"
+
+#include "gui/app/job_bar.h"
+#include "gui/app/start_page.h"
+#include "gui/panels/text.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMessageBox>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QTimer>
+
+namespace luxdeck::gui {
+
+namespace {
+constexpr int kAutosaveMs = 20'000;
+}
+
+MainWindow::MainWindow(Memory& memory, QWidget* parent)
+    : QMainWindow(parent), memory_(memory),
+      // From a job's thread: the event loop takes it from there.
+      session_([this] { QMetaObject::invokeMethod(this, [this] { session_.deliver(); }, Qt::QueuedConnection); }),
+      pages_(new QStackedWidget(this)), start_(new StartPage(memory, this)), workspaces_(new QTabWidget(this)), views_(new QWidget(this)), probe_(new QLabel(this)) {
+    setObjectName(QStringLiteral("mainWindow"));
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    session_.setDisplay(memory_.display());
+    workspaces_->setObjectName(QStringLiteral("workspaces"));
+    workspaces_->setDocumentMode(true);
+    workspaces_->addTab(views_, tr("Room"));
+    pages_->addWidget(start_);
+    pages_->addWidget(workspaces_);
+    setCentralWidget(pages_);
+    makeDocks();
+    makeMenus();
+    statusBar()->addWidget(probe_, 1);
+    statusBar()->addPermanentWidget(new JobBar(session_, this));
+
+    connect(start_, &StartPage::chosen, this, &MainWindow::open);
+    connect(start_, &StartPage::openWanted, this, &MainWindow::askToOpen);
+    connect(start_, &StartPage::newWanted, this, &MainWindow::askForNew);
+    session_.observe([this](Change change) { heard(change); });
+    auto* autosave = new QTimer(this);
+    connect(autosave, &QTimer::timeout, this, [this] { session_.autosave(); });
+    autosave->start(kAutosaveMs);
+
+    resize(1440, 900);
+    restoreGeometry(memory_.geometry());
+    restoreState(memory_.docks());
+    heard(Change::Project);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::heard(Change change) {
+    switch (change) {
+        case Change::Project:
+            pages_->setCurrentWidget(session_.project() ? static_cast<QWidget*>(workspaces_) : start_);
+            leaveOutWhatIsNotThere();
+            [[fallthrough]];
+        case Change::Document:
+            refreshTitle();
+            refreshCommands();
+            break;
+        case Change::Volumes: leaveOutWhatIsNotThere(); break;
+        case Change::Display: memory_.keepDisplay(session_.display()); break;
+        case Change::Log:
+            // Not at once: what complained may still be in the middle of its work.
+            QTimer::singleShot(0, this, &MainWindow::showErrors);
+            break;
+        default: break;
+    }
+}
+
+void MainWindow::refreshTitle() {
+    const auto& document = session_.document();
+    if (document.file().empty()) {
+        setWindowTitle(tr("Luxdeck"));
+        setWindowModified(false);
+        return;
+    }
+    const auto loaded = session_.project();
+    const auto name = loaded ? qt(loaded->project.info.name) : QFileInfo(qt(document.file().string())).fileName();
+    setWindowTitle(tr("%1[*] - Luxdeck").arg(name));
+    setWindowFilePath(qt(document.file().string()));
+    setWindowModified(session_.editable() && document.modified());
+}
+
+void MainWindow::showErrors() {
+    const auto& log = session_.place.log();
+    QStringList errors;
+    for (; errorsSeen_ < log.size(); ++errorsSeen_)
+        if (log[errorsSeen_].severity == Severity::Error) errors << qt(log[errorsSeen_].text);
+    if (errors.isEmpty()) return;
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Luxdeck"), errors.join(QStringLiteral("\n\n")), QMessageBox::Ok, this);
+    box->setObjectName(QStringLiteral("errorMessage"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    box->open();
+}
+
+void MainWindow::showWorkspace(Workspace workspace) {
+    if (static_cast<int>(workspace) < workspaces_->count()) workspaces_->setCurrentIndex(static_cast<int>(workspace));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!letGo()) return event->ignore();
+    memory_.keepWindow(saveGeometry(), saveState());
+    session_.close();  // stops what runs
+    event->accept();
+}
+
+}  // namespace luxdeck::gui

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "gui/app/memory.h"
+#include "gui/session/session.h"
+
+#include <QMainWindow>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+class QActionGroup;
+class QLabel;
+class QStackedWidget;
+class QTabWidget;
+class QTimer;
+
+namespace luxdeck::gui {
+
+class ResultsPanel;
+class ShowPanel;
+class SolvePanel;
+class StartPage;
+
+/// The window: a room in the middle, docks around it, everything reachable by menu and key. What happens is the session's;
+/// this class arranges.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(Memory& memory, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    [[nodiscard]] Session& session() { return session_; }
+    /// Opens a project or a bare scene. What an earlier session could not save is offered.
+    void open(const QString& file);
+
+    enum class Workspace { Room, Picture, Compare, Report };
+    void showWorkspace(Workspace workspace);
+
+    /// Every action, by menu: for the shortcuts' list.
+    [[nodiscard]] const std::vector<QAction*>& commands() const { return commands_; }
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    // window_menus.cpp
+    void makeMenus();
+    void fileMenu();
+    void recentMenu();
+    void editMenu();
+    void viewMenu();
+    void calculateMenu();
+    void helpMenu();
+    enum class Needs { Nothing, Project, Editable };
+    struct CommandText {
+        const char *name, *text, *keys, *tip;
+    };
+    QAction* command(QMenu* menu, Needs needs, const CommandText& text, std::function<void()> run);
+    /// One of several that exclude each other, ticked where it holds.
+    QAction* choice(QMenu* menu, QActionGroup* group, const CommandText& text, bool on, std::function<void()> run);
+    void refreshCommands();
+
+    // window_files.cpp
+    void askToOpen();
+    void askForNew();
+    bool save();
+    bool saveAs();
+    /// Saved, or thrown away on purpose. False: the user stays.
+    bool letGo();
+    void recover(const QString& file);
+
+    // window_docks.cpp
+    void makeDocks();
+    QDockWidget* dock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
+    void leaveOutWhatIsNotThere();
+
+    void heard(Change change);
+    void refreshTitle();
+    void showErrors();
+
+    Memory& memory_;
+    Session session_;
+    std::size_t errorsSeen_ = 0;
+
+    QStackedWidget* pages_;
+    StartPage* start_;
+    QTabWidget* workspaces_;
+    QWidget* views_;
+    ResultsPanel* results_;
+    ShowPanel* show_;
+    SolvePanel* solve_;
+    QLabel* probe_;
+    std::vector<QDockWidget*> docks_;
+    QMenu *panelsMenu_ = nullptr, *recentMenu_ = nullptr;
+
+    std::vector<QAction*> commands_, needProject_, needEditable_;
+    QAction *save_ = nullptr, *undo_ = nullptr, *redo_ = nullptr;
+};
+
+}  // namespace luxdeck::gui

@@ -1,0 +1,31 @@
+#include "gui/panels/verdict_icon.h"
+
+#include "analysis/report/canvas.h"
+
+#include <QPainter>
+#include <QPixmap>
+
+#include <algorithm>
+
+namespace luxdeck::gui {
+
+QIcon verdictIcon(Verdict verdict) {
+    if (verdict == Verdict::None) return {};
+    constexpr int kSize = 32;
+    QPixmap picture(kSize, kSize);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    report::Canvas canvas(painter, 1, {});
+    canvas.verdictSymbol(kSize / 2.0, kSize / 2.0, 0.8 * kSize, verdict);
+    return QIcon(picture);
+}
+
+Verdict worstVerdict(const GridResult& grid) {
+    const Verdict all[] = {grid.mean.verdict, grid.minimum.verdict, grid.uniformity.verdict};
+    for (const auto verdict : {Verdict::NotMet, Verdict::Undecided, Verdict::Met})
+        if (std::find(std::begin(all), std::end(all), verdict) != std::end(all)) return verdict;
+    return Verdict::None;
+}
+
+}  // namespace luxdeck::gui
