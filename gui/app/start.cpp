@@ -3,6 +3,7 @@
 #include "engine/core/parallel.h"
 #include "engine/core/version.h"
 #include "gui/app/main_window.h"
+#include "gui/view3d/graphics.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -14,6 +15,7 @@ namespace luxdeck::gui {
 int run(int argc, char** argv) {
     QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    prepareGraphics();
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("luxdeck"));
     QApplication::setApplicationDisplayName(QStringLiteral("Luxdeck"));

@@ -1,7 +1,10 @@
 #pragma once
 
 #include "gui/session/session.h"
+#include "gui/view3d/annotation.h"
 #include "gui/view3d/light_colours.h"
+
+#include <vector>
 
 namespace luxdeck::gui {
 
@@ -25,6 +28,9 @@ public:
     /// Brings the actors up to date with the session and what this view is to show. Cheap when nothing that concerns the
     /// layer has changed (it remembers what it built from). Returns whether the picture changes.
     virtual bool update(const Session& session, const ViewSettings& view, const ResolvedScale& scale) = 0;
+
+    /// Text at places of what update() has made.
+    virtual void annotate(std::vector<Annotation>&) const {}
 };
 
 }  // namespace luxdeck::gui

@@ -1,5 +1,7 @@
 // Tests of the window run on an X server of their own, so that they are the same on any machine: with or without a
 // display, whatever is on it.
+#include "gui/view3d/graphics.h"
+
 #include <QApplication>
 #include <gtest/gtest.h>
 
@@ -69,6 +71,7 @@ int main(int argc, char** argv) {
     for (const char* name : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"}) setenv(name, folder, 1);
     setenv("XDG_RUNTIME_DIR", folder, 1);
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    luxdeck::gui::prepareGraphics();
     QApplication application(argc, argv);
     const int status = RUN_ALL_TESTS();
     std::filesystem::remove_all(folder);

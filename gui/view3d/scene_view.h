@@ -1,0 +1,106 @@
+#pragma once
+
+#include "gui/session/scene_pick.h"
+#include "gui/view3d/layer.h"
+#include "gui/view3d/navigator.h"
+#include "gui/view3d/shared_scene.h"
+#include "gui/view3d/view_colours.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <QImage>
+#include <QTimer>
+
+#include <memory>
+#include <vector>
+
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+namespace luxdeck::gui {
+
+class LuminaireLayer;
+class RoomLayer;
+class ViewOverlay;
+
+/// One view of the project: its layers in a renderer, a camera that mouse and keys move, texts over it. It renders when
+/// something has changed, and only then. ViewArea makes, links and refreshes them.
+class SceneView : public QVTKOpenGLNativeWidget {
+    Q_OBJECT
+
+public:
+    /// index  of its settings among session.views()
+    SceneView(Session& session, const SharedScene& shared, std::size_t index, QWidget* parent = nullptr);
+    ~SceneView() override;
+
+    /// What its layers would colour by.
+    [[nodiscard]] Layer::Range lightRange();
+    /// Brings all layers up to date with the session.
+    void refresh(const ResolvedScale& scale);
+
+    [[nodiscard]] const CameraPose& pose() const { return pose_; }
+    /// Without a signal.
+    void setPose(const CameraPose& pose);
+    [[nodiscard]] double aspect() const;
+    /// The view as it is on the screen.
+    [[nodiscard]] QImage picture();
+    /// What has been asked for is rendered at once, not when the event loop comes to it.
+    void renderNow();
+    void setFramed(bool framed);
+    [[nodiscard]] const ViewSettings& settings() const;
+    /// What is shown here, for picking.
+    [[nodiscard]] Visible visible() const;
+    /// What is under a place of the widget [pixels].
+    [[nodiscard]] Picked pickedAt(QPoint at) const;
+    /// Where a point of the scene (re-based) is seen [pixels]; none: behind the camera.
+    [[nodiscard]] std::optional<QPointF> pixelOf(const Vec3d& point) const;
+
+signals:
+    /// The user has moved the camera.
+    void moved();
+    /// Pressed here.
+    void pressed();
+    /// F, Home, 1, 3, 7 or L.
+    void keyCommand(int key);
+    /// What is under the cursor has changed; nothing is picked when it has left.
+    void hovered(const luxdeck::gui::Picked& picked, QPoint at);
+
+protected:
+    bool event(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    [[nodiscard]] Navigator::Place navigatorPlace();
+    [[nodiscard]] ScreenPoint screenOf(QPoint at) const;
+    void applyPalette();
+    void applyPose();
+    void requestRender();
+    void reannotate();
+    void select(QPoint at);
+    [[nodiscard]] QString hint() const;
+
+    Session& session_;
+    const SharedScene& shared_;
+    std::size_t index_;
+    CameraPose pose_;
+    vtkNew<vtkRenderer> renderer_;
+    RoomLayer* room_ = nullptr;              // of layers_
+    LuminaireLayer* luminaires_ = nullptr;
+    std::vector<std::unique_ptr<Layer>> layers_;
+    ViewOverlay* overlay_;
+    std::unique_ptr<Navigator> navigator_;
+    QTimer render_, rest_;
+    QPoint lastClick_{-100, -100};
+    std::size_t clickDepth_ = 0;             // which of the things under the cursor was picked last
+};
+
+}  // namespace luxdeck::gui
