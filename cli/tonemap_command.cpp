@@ -1,6 +1,6 @@
+#include "analysis/pictures/show.h"
 #include "cli/command.h"
 #include "cli/json_text.h"
-#include "cli/tone.h"
 #include "engine/io/image_files.h"
 #include "tonemap/falsecolor.h"
 

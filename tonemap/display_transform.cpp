@@ -108,6 +108,26 @@ std::optional<std::string> chooseSource(const OCIO::Config& config) {
 
 }  // namespace
 
+Result<std::vector<DisplayViews>> displaysOf(const std::string& given) {
+    try {
+        const auto loaded = load(given);
+        if (!loaded) return loaded.error();
+        const auto& config = *loaded->config;
+        std::vector<DisplayViews> displays;
+        for (int d = 0; d < config.getNumDisplays(); ++d) {
+            DisplayViews each{config.getDisplay(d), {}};
+            for (int v = 0; v < config.getNumViews(each.display.c_str()); ++v) each.views.emplace_back(config.getView(each.display.c_str(), v));
+            const std::string first = config.getDefaultView(each.display.c_str());
+            std::ranges::stable_partition(each.views, [&](const auto& view) { return view == first; });
+            displays.push_back(std::move(each));
+        }
+        std::ranges::stable_partition(displays, [&](const auto& each) { return each.display == config.getDefaultDisplay(); });
+        return displays;
+    } catch (const OCIO::Exception& e) {
+        return Error{ErrorCode::Parse, fmt::format("OpenColorIO: {}", e.what()), given};
+    }
+}
+
 Result<DisplayTransform> DisplayTransform::create(const DisplayTransformSettings& settings) {
     try {
         const auto loaded = load(settings.config);

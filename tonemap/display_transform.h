@@ -25,6 +25,17 @@ struct DisplayTransformSettings {
     bool dither = false;  ///< an ordered 8 x 8 pattern hides the steps of 8 bits in dark gradients
 };
 
+/// A display that a config knows, and what it can show there; the default first.
+struct DisplayViews {
+    std::string display;
+    std::vector<std::string> views;
+};
+
+/// The displays of a config (empty: $OCIO when it is set, else our own), the default first.
+///
+/// errors  FileNotFound, Parse
+Result<std::vector<DisplayViews>> displaysOf(const std::string& config = {});
+
 /// From linear Rec.709 to the bytes of a display, by OpenColorIO. create() then apply() any number of times, from
 /// any thread.
 class DisplayTransform {

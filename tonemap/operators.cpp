@@ -34,6 +34,7 @@ Result<void> check(const Image& scene, const ToneMapSettings& settings) {
                                    display.minCdM2, display.maxCdM2));
     if (settings.exposure && !(*settings.exposure > 0 && std::isfinite(*settings.exposure)))
         return invalid(fmt::format("exposure is {}, expected a number above 0", *settings.exposure));
+    if (!(std::abs(settings.exposureEv) <= 64)) return invalid(fmt::format("exposure by {} EV, expected -64 to 64", settings.exposureEv));
     if (settings.view && !(settings.view->verticalFovDeg >= 0 && settings.view->verticalFovDeg <= 360))
         return invalid(fmt::format("vertical angle of view is {} degrees, expected 0 (not known) to 360",
                                    settings.view->verticalFovDeg));
@@ -114,9 +115,10 @@ private:
         const auto levels = foveal_.luminances();
         if (settings_.op == Operator::Linear) {
             const double mean = record_.worldLogMeanCdM2 > 0 ? record_.worldLogMeanCdM2 : 1;
-            const double factor = settings_.exposure.value_or(kAutomaticGrey * settings_.display.maxCdM2 / mean);
+            const double factor = settings_.exposure.value_or(kAutomaticGrey * settings_.display.maxCdM2 / mean) * std::exp2(settings_.exposureEv);
             record_.why = settings_.exposure ? "exposure as given"
                                              : "automatic exposure: the log-mean luminance shows as 18 % of white";
+            if (settings_.exposureEv != 0) record_.why += fmt::format(", and {:+g} EV", settings_.exposureEv);
             return ToneCurve::linear(factor, settings_.display);
         }
         const auto ceiling = settings_.op == Operator::Human ? Ceiling::Human : Ceiling::Linear;

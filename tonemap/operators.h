@@ -34,6 +34,7 @@ struct ToneMapSettings {
     Operator op = Operator::Human;
     std::optional<double>
         exposure;  ///< Operator::Linear: display over world luminance, > 0; unset: log-mean shows as 18 % of white
+    double exposureEv = 0;    ///< Operator::Linear: stops over the exposure that is given or automatic
     DisplayModel display;
     Effects effects;
     std::optional<ViewGeometry> view;  ///< unset: the picture's own header tells (viewGeometryOf)

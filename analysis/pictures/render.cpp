@@ -18,7 +18,6 @@ namespace luxdeck {
 namespace {
 
 constexpr std::size_t kPixelsPerTask = 512;
-constexpr double kShowEverySeconds = 5;
 constexpr std::uint32_t kFirstPass = 1;   // paths a pixel: even a short time gives a whole picture
 constexpr std::uint32_t kMostPerPass = 16;
 constexpr std::uint32_t kEnoughToJudge = 4;  // paths a pixel before its error is believed
@@ -62,7 +61,7 @@ public:
             if (whole) done_ += pass;
             assess();
             if (!whole || reached() || (settings_.samples && done_ >= *settings_.samples)) break;
-            if (afterPass && clock_.seconds() - shown > kShowEverySeconds) {
+            if (afterPass && clock_.seconds() - shown > settings_.showEverySeconds) {
                 afterPass(result());
                 shown = clock_.seconds();
             }
@@ -272,14 +271,19 @@ private:
 
 }  // namespace
 
-Result<RenderResult> render(const Project& project, const LitScene& lit, const View& view, const RenderSettings& settings,
-                            const Progress& progress, const std::function<void(const RenderResult&)>& afterPass) {
-    auto estimator = makeEstimator(settings.algorithm, lit.transport(), settings.algorithmSettings, settings.seed, progress);
-    if (!estimator) return estimator.error();
+Result<void> checkRender(const View& view, const RenderSettings& settings) {
     if (view.width < 1 || view.height < 1)
         return Error{ErrorCode::InvalidArgument, fmt::format("view \"{}\" is {} x {} pixels", view.name, view.width, view.height), view.where};
     if (!(settings.targetError > 0) && !settings.timeSeconds && !settings.samples)
         return Error{ErrorCode::InvalidArgument, "neither a target error, a time nor a number of samples: rendering would never end"};
+    return {};
+}
+
+Result<RenderResult> render(const Project& project, const LitScene& lit, const View& view, const RenderSettings& settings,
+                            const Progress& progress, const std::function<void(const RenderResult&)>& afterPass) {
+    auto estimator = makeEstimator(settings.algorithm, lit.transport(), settings.algorithmSettings, settings.seed, progress);
+    if (!estimator) return estimator.error();
+    if (const auto possible = checkRender(view, settings); !possible) return possible.error();
     return render(project, lit, view, **estimator, settings, progress, afterPass);
 }
 

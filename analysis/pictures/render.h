@@ -25,6 +25,7 @@ struct RenderSettings {
     double targetError = 0.1;            // of the picture, see RenderResult::relativeError; 0: until the time is up
     std::optional<double> timeSeconds;
     std::optional<std::uint32_t> samples;  // paths a pixel, instead
+    double showEverySeconds = 5;         // how often the picture so far is handed out
     std::string stage;                   // what the progress calls it; empty: "rendering" and the view's name
 };
 
@@ -40,15 +41,20 @@ struct RenderResult {
     TransportCounters counters;
 };
 
+/// Whether a view can be rendered so: it has a size, and something ends the work.
+///
+/// errors  InvalidArgument
+Result<void> checkRender(const View& view, const RenderSettings& settings);
+
 /// Renders a view in passes over the whole picture, so that an interrupted one is noisy, not cut off.
 ///
-/// afterPass  called with the picture so far every few seconds, for showing or saving it; may be empty
+/// afterPass  called with the picture so far now and then (showEverySeconds), for showing or saving it; may be empty
 /// errors     InvalidArgument: no such algorithm, no size, nothing that ends the work
 Result<RenderResult> render(const Project& project, const LitScene& lit, const View& view,
                             const RenderSettings& settings, const Progress& progress,
                             const std::function<void(const RenderResult&)>& afterPass = {});
 
-/// The same by an estimator that is there already; the view has a size, and the settings say when to end.
+/// The same by an estimator that is there already; of a view and settings that checkRender() lets pass.
 RenderResult render(const Project& project, const LitScene& lit, const View& view, const RadianceEstimator& estimator,
                     const RenderSettings& settings, const Progress& progress, const std::function<void(const RenderResult&)>& afterPass = {});
 

@@ -14,7 +14,8 @@
 
 namespace luxdeck::gui {
 
-enum class JobKind { Load, Solve, Render, Volume, Furniture, Compare, Report };
+/// Look: what makes a picture or page visible, quick and often; not worth a word to the user.
+enum class JobKind { Load, Solve, Render, Volume, Furniture, Compare, Report, Save, Look };
 
 /// What a running job says of itself.
 struct JobState {

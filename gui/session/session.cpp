@@ -44,6 +44,7 @@ void Session::close() {
     selection_ = {};
     solving.clear();
     volumes.clear();
+    pictures.clear();
     place.tell(Change::Document);
     place.tell(Change::Project);
 }
@@ -77,6 +78,7 @@ void Session::arrived(std::shared_ptr<const LitProject> project) {
         if (std::find(known.begin(), known.end(), warning) == known.end()) place.warn(warning);
     solving.follow();
     volumes.follow();
+    pictures.follow();
     place.tell(Change::Project);
 }
 

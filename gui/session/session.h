@@ -2,6 +2,7 @@
 
 #include "gui/session/display.h"
 #include "gui/session/document.h"
+#include "gui/session/pictures.h"
 #include "gui/session/selection.h"
 #include "gui/session/solving.h"
 #include "gui/session/volumes.h"
@@ -70,6 +71,7 @@ public:
     Workplace place;
     Solving solving{place};
     Volumes volumes{place};
+    Pictures pictures{place};
 
 private:
     void load(const std::string& text, bool afterEdit);

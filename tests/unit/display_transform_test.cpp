@@ -54,6 +54,16 @@ TEST_F(Display, OurDefaultOnlyEncodes) {
         }
 }
 
+TEST_F(Display, ListsWhatCanBeChosen) {
+    const auto displays = displaysOf();
+    ASSERT_TRUE(displays);
+    ASSERT_FALSE(displays->empty());
+    for (const auto& each : *displays)
+        for (const auto& view : each.views) EXPECT_TRUE(DisplayTransform::create({{}, each.display, view})) << each.display << " " << view;
+    EXPECT_EQ(displays->front().views.front(), DisplayTransform::create({})->view());
+    EXPECT_EQ(displaysOf((folder / "none.ocio").string()).error().code, ErrorCode::FileNotFound);
+}
+
 TEST_F(Display, TheConfigInsideIsTheFileThatIsInstalled) {
     const auto file = readFile(fs::path(LUXDECK_SOURCE_DIR) / "tonemap/luxdeck.ocio");
     ASSERT_TRUE(file);

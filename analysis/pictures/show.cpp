@@ -1,4 +1,4 @@
-#include "cli/tone.h"
+#include "analysis/pictures/show.h"
 
 #include "tonemap/display_transform.h"
 
@@ -8,7 +8,7 @@
 #include <optional>
 #include <sstream>
 
-namespace luxdeck::cli {
+namespace luxdeck {
 
 namespace {
 
@@ -37,7 +37,7 @@ Result<Shown> show(const Image& scene, const tonemap::ToneMapSettings& settings,
     auto mapped = tonemap::toneMap(white ? adapted(scene, *white) : scene, settings);
     if (!mapped) return mapped.error();
     tonemap::DisplayTransformSettings display;
-    display.view = how.ocioView;
+    display.display = how.ocioDisplay, display.view = how.ocioView;
     const char* own = std::getenv("OCIO");
     if (how.ocioView.empty() && (own == nullptr || *own == 0)) display.view = tonemap::kToneMappedView;
     auto transform = tonemap::DisplayTransform::create(display);
@@ -59,4 +59,4 @@ std::string operatorText(const tonemap::ToneMapRecord& r) {
     return text;
 }
 
-}  // namespace luxdeck::cli
+}  // namespace luxdeck
