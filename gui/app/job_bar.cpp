@@ -46,7 +46,9 @@ JobBar::JobBar(Session& session, QWidget* parent) : QWidget(parent), session_(se
 }
 
 void JobBar::refresh() {
-    const auto states = session_.place.jobs.states();
+    auto states = session_.place.jobs.states();
+    // Over before one could read its name, many times a second.
+    states.erase(std::remove_if(states.begin(), states.end(), [](const auto& job) { return job.kind == JobKind::Look; }), states.end());
     const auto gone = [&](const Row* row) { return std::none_of(states.begin(), states.end(), [&](const auto& job) { return job.id == row->id; }); };
     for (auto* row : rows_)
         if (gone(row)) row->deleteLater();

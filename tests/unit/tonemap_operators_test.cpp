@@ -281,5 +281,22 @@ TEST(ToneMap, SpacesOfColourAgree) {
         EXPECT_NEAR(a->image.channel("G")[i], b->image.channel("G")[i], 1e-5);
 }
 
+TEST(Operators, AStopDoublesTheExposureGivenOrAutomatic) {
+    const Image scene = room(60, 40, 1);
+    for (const auto exposure : {std::optional<double>(), std::optional<double>(0.01)}) {
+        ToneMapSettings settings;
+        settings.op = Operator::Linear;
+        settings.exposure = exposure;
+        const auto plain = toneMap(scene, settings);
+        settings.exposureEv = 1.5;
+        const auto brighter = toneMap(scene, settings);
+        ASSERT_TRUE(plain && brighter);
+        EXPECT_NEAR(brighter->record.factor / plain->record.factor, std::exp2(1.5), 1e-12);
+    }
+    ToneMapSettings settings;
+    settings.exposureEv = 65;
+    EXPECT_FALSE(toneMap(scene, settings));
+}
+
 }  // namespace
 }  // namespace luxdeck::tonemap
