@@ -5,10 +5,7 @@
 
 namespace luxdeck {
 
-namespace {
-
-/// Where the string that begins at `at` ends (one past its last quote, or the end of its line if it is not closed).
-std::size_t endOfString(std::string_view toml, std::size_t at) {
+std::size_t endOfTomlString(std::string_view toml, std::size_t at) {
     const char quote = toml[at];
     const bool literal = quote == '\'';
     const std::string_view triple = literal ? "'''" : R"(""")";
@@ -27,15 +24,13 @@ std::size_t endOfString(std::string_view toml, std::size_t at) {
     return toml.size();
 }
 
-}  // namespace
-
 std::optional<int> lineOfDeepKey(std::string_view toml, int most) {
     int line = 1;
     int parts = 1;
     for (std::size_t i = 0; i < toml.size();) {
         const char c = toml[i];
         if (c == '"' || c == '\'') {
-            const auto end = std::min(endOfString(toml, i), toml.size());
+            const auto end = std::min(endOfTomlString(toml, i), toml.size());
             line += static_cast<int>(std::count(toml.begin() + static_cast<std::ptrdiff_t>(i),
                                                 toml.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
             i = end;

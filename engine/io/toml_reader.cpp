@@ -1,6 +1,6 @@
 #include "engine/io/toml_reader.h"
 
-#include "engine/io/toml_depth.h"
+#include "engine/io/toml_tree.h"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -17,8 +17,6 @@ struct TomlSource {
 };
 
 namespace {
-
-constexpr int kMaxKeyParts = 64;
 
 const toml::table& asTable(const void* node) { return *static_cast<const toml::table*>(node); }
 
@@ -319,18 +317,12 @@ std::optional<TomlTable> TomlTable::table(std::string_view key, const TomlSectio
 }
 
 Result<TomlDocument> TomlDocument::parse(std::string_view bytes, const std::string& name, Diagnostics& diagnostics) {
+    auto parsed = tomlTree(bytes, name);
+    if (!parsed) return parsed.error();
     TomlDocument document;
-    if (const auto line = lineOfDeepKey(bytes, kMaxKeyParts))
-        return Error{ErrorCode::Parse, fmt::format("a key of more than {} parts, expected names without dots", kMaxKeyParts),
-                     fmt::format("{}:{}", name, *line)};
     document.source_ = std::make_shared<TomlSource>(TomlSource{name, &diagnostics});
-    try {
-        auto tree = std::make_shared<toml::table>(toml::parse(bytes, std::string_view(name)));
-        document.tree_ = std::shared_ptr<const void>(tree, static_cast<const void*>(tree.get()));
-    } catch (const toml::parse_error& e) {
-        return Error{ErrorCode::Parse, std::string(e.description()),
-                     fmt::format("{}:{}", name, std::max(1, static_cast<int>(e.source().begin.line)))};
-    }
+    auto tree = std::make_shared<toml::table>(*std::move(parsed));
+    document.tree_ = std::shared_ptr<const void>(tree, static_cast<const void*>(tree.get()));
     return document;
 }
 
