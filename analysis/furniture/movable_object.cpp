@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace luxdeck {
@@ -37,8 +36,7 @@ Result<void> checkVertices(const Scene& scene, std::uint32_t object, Box3d& boun
             const bool good = isFinite(mesh.positions[i]) && (mesh.normals.empty() || isFinite(mesh.normals[i]));
             if (!good) return refused(fmt::format("vertex {} of \"{}\" is not finite", i, mesh.name));
         }
-        for (const auto& t : mesh.triangles)
-            for (const auto v : t) bounds.extendBy(Vec3d(mesh.positions[v]));
+        bounds.extendBy(triangleBounds(mesh));
     }
     if (bounds.isEmpty()) return refused("the object has no triangles");
     return {};
@@ -51,7 +49,7 @@ Result<MovableObject> make(const Scene& scene, std::uint32_t object, const std::
     if (const auto good = checkVertices(scene, object, bounds); !good) return good.error();
     MovableObject out;
     out.name = name;
-    out.pivot = {(bounds.min.x + bounds.max.x) / 2, (bounds.min.y + bounds.max.y) / 2, bounds.min.z};
+    out.pivot = pivotOf(bounds);
     bool emits = false;
     FineMesh fine(out, settings.longestEdgeM);
     for (const auto& mesh : scene.meshes) {
@@ -67,18 +65,6 @@ Result<MovableObject> make(const Scene& scene, std::uint32_t object, const std::
 }
 
 }  // namespace
-
-Placement MovableObject::placed(const Pose& pose) const {
-    // Quarter turns are exact: a desk turned by 90 degrees has its edges along the axes.
-    const double turns = pose.turnDeg / 90;
-    const bool quarter = turns == std::round(turns);
-    const double angle = pose.turnDeg * kDegree;
-    Placement out;
-    out.cosine = static_cast<float>(quarter ? std::round(std::cos(angle)) : std::cos(angle));
-    out.sine = static_cast<float>(quarter ? std::round(std::sin(angle)) : std::sin(angle));
-    out.shift = Vec3(pivot + pose.moveM);
-    return out;
-}
 
 Result<MovableObject> makeMovableObject(const Scene& scene, const std::string& name, const ObjectSettings& settings) {
     const auto object = findObject(scene, name);
@@ -105,7 +91,6 @@ Result<Scene> withoutObject(const Scene& scene, const std::string& name) {
 Scene withObjectAt(const Scene& scene, const Scene& from, const std::string& name, const MovableObject& object, const Pose& pose) {
     Scene out = scene;
     const auto place = object.placed(pose);
-    const Vec3 pivot(object.pivot);
     const auto newObject = static_cast<std::uint32_t>(out.objects.size());
     const auto firstMaterial = static_cast<std::uint32_t>(out.materials.size());
     const bool own = !name.empty();  // else its materials are not the scene's
@@ -114,8 +99,7 @@ Scene withObjectAt(const Scene& scene, const Scene& from, const std::string& nam
         if (!name.empty() && from.objects[mesh.object].name != name) continue;
         Mesh moved = mesh;
         moved.object = newObject;
-        for (auto& p : moved.positions) p = place.point(p - pivot);
-        for (auto& n : moved.normals) n = place.direction(n);
+        moveMesh(moved, object.pivot, place);
         if (!own) moved.material += firstMaterial;
         out.meshes.push_back(std::move(moved));
     }

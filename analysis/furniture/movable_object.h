@@ -2,6 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/io/project.h"
+#include "engine/scene/object_pose.h"
 #include "engine/scene/scene.h"
 
 #include <array>
@@ -11,22 +12,6 @@
 #include <vector>
 
 namespace luxdeck {
-
-/// Where an object stands: turned about the vertical through its pivot, then shifted from where it was.
-struct Pose {
-    Vec3d moveM{0, 0, 0};
-    double turnDeg = 0;  // counter-clockwise as seen from above
-};
-
-/// A turn about the vertical and a shift, quick to apply.
-struct Placement {
-    float cosine = 1, sine = 0;
-    Vec3 shift{0, 0, 0};  // of the pivot: re-based [m]
-
-    [[nodiscard]] Vec3 direction(const Vec3& d) const { return {cosine * d.x - sine * d.y, sine * d.x + cosine * d.y, d.z}; }
-    [[nodiscard]] Vec3 back(const Vec3& d) const { return {cosine * d.x + sine * d.y, cosine * d.y - sine * d.x, d.z}; }
-    [[nodiscard]] Vec3 point(const Vec3& p) const { return direction(p) + shift; }
-};
 
 /// A coarse set of vertices that stands for all of an object while it moves.
 struct DetailLevel {
@@ -54,7 +39,7 @@ struct MovableObject {
     std::vector<DetailLevel> levels;      // finest first: levels[0] is all vertices
     std::vector<std::string> warnings;    // what is not done for it: its own lights, textures
 
-    [[nodiscard]] Placement placed(const Pose& pose) const;
+    [[nodiscard]] Placement placed(const Pose& pose) const { return placementOf(pivot, pose); }
 };
 
 /// Makes the object of all meshes of one of the scene's objects.

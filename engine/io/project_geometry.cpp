@@ -57,16 +57,34 @@ Result<ScenePart> readPart(const GeometrySpec& spec, const std::string& subject)
     return part;
 }
 
-Result<void> flagObject(Scene& scene, const FurnitureSpec& furniture) {
-    bool found = false;
+/// All of its parts, about the one pivot.
+void moveObject(Scene& scene, std::uint32_t object, const Pose& pose) {
+    Box3d bounds;
+    for (const auto& mesh : scene.meshes)
+        if (mesh.object == object) bounds.extendBy(triangleBounds(mesh));
+    if (bounds.isEmpty()) return;
+    const auto pivot = pivotOf(bounds);
+    const auto place = placementOf(pivot, pose);
+    for (auto& mesh : scene.meshes)
+        if (mesh.object == object) moveMesh(mesh, pivot, place);
+}
+
+Result<void> placeObject(Scene& scene, const FurnitureSpec& furniture) {
+    std::vector<std::uint32_t> found;
     std::vector<std::string> names;
     for (auto& object : scene.objects) {
         names.push_back(object.name);
         if (object.name != furniture.name) continue;
         object.movable = furniture.movable;
-        found = true;
+        found.push_back(static_cast<std::uint32_t>(&object - scene.objects.data()));
     }
-    if (found) return {};
+    const bool moves = furniture.pose != Pose{};
+    if (moves && found.size() > 1)
+        return Error{ErrorCode::InvalidArgument,
+                     fmt::format("[[furniture]]: {} objects in the geometry are called {}, expected one to move", found.size(), inQuotes(furniture.name)),
+                     furniture.where};
+    if (moves && !found.empty()) moveObject(scene, found.front(), furniture.pose);
+    if (!found.empty()) return {};
     return Error{ErrorCode::InvalidArgument,
                  fmt::format("[[furniture]]: no object {} in the geometry; {}", inQuotes(furniture.name),
                              suggestion(furniture.name, names)),
@@ -105,8 +123,10 @@ std::vector<FurnitureSpec> readFurniture(const TomlTable& root, const std::files
             for (const auto* key : {"file", "name", "position", "rotation_deg", "unit", "up", "scale"})
                 table.refuseBoth("object", key);
             spec.name = table.text("object");
+            spec.pose = {table.vector("move", Vec3d(0, 0, 0)), table.number("turn_deg", kTurn, 0.0)};
             names.add(table, "object", spec.name);
         } else if (table.has("file")) {
+            for (const auto* key : {"move", "turn_deg"}) table.refuseBoth("file", key);
             spec.file = readPlacedFile(table, folder, "position", "rotation_deg");
             spec.name = table.text("name", "");
             if (!spec.name.empty()) names.add(table, "name", spec.name);
@@ -128,7 +148,7 @@ Result<std::vector<SceneCamera>> loadGeometry(Scene& scene, const ProjectSpec& s
     }
     for (const auto& furniture : spec.furniture)
         if (!furniture.file)
-            if (auto flagged = flagObject(scene, furniture); !flagged) return flagged.error();
+            if (auto placed = placeObject(scene, furniture); !placed) return placed.error();
 
     std::set<std::string> taken;
     for (const auto& object : scene.objects) taken.insert(object.name);

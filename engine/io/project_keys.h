@@ -34,7 +34,8 @@ inline constexpr Key kViewKeys[] = {"name",      "kind", "position",         "ta
                                     "direction", "up",   "vertical_fov_deg", "size"};
 inline constexpr Key kVolumeKeys[] = {"name", "min", "max", "first_level", "second_level", "bins"};
 inline constexpr Key kHolodeckKeys[] = {"name", "origin", "axes", "grid"};
-inline constexpr Key kFurnitureKeys[] = {"object", "file", "name", "position", "rotation_deg", "movable", "unit", "up", "scale"};
+inline constexpr Key kFurnitureKeys[] = {"object", "move", "turn_deg", "file", "name", "position", "rotation_deg",
+                                            "movable", "unit", "up", "scale"};
 inline constexpr Key kRequirementsFileKeys[] = {"schema", "requirement"};
 
 inline constexpr TomlSection kRoot{"top level", kRootKeys};

@@ -3,6 +3,7 @@
 #include "engine/io/project.h"
 #include "engine/io/scene_files.h"
 #include "engine/io/toml_reader.h"
+#include "engine/scene/object_pose.h"
 #include "engine/scene/sun_position.h"
 
 #include <array>
@@ -37,6 +38,7 @@ struct FurnitureSpec {
     std::string name;                   ///< of the object
     std::optional<GeometrySpec> file;
     bool movable = true;
+    Pose pose;                          ///< of an object of the geometry, from where that has it
     std::string where;
 };
 
@@ -152,7 +154,7 @@ std::vector<View> readViews(const TomlTable& root);
 std::vector<VolumeSpec> readVolumes(const TomlTable& root);
 std::vector<HolodeckSection> readHolodeckSections(const TomlTable& root);
 
-/// Reads the geometry and furniture into the scene and flags what may be moved. Returns the cameras found.
+/// Reads the geometry and furniture into the scene, flags what may be moved and moves what has been. Returns the cameras found.
 Result<std::vector<SceneCamera>> loadGeometry(Scene& scene, const ProjectSpec& spec);
 Result<void> replaceMaterials(Scene& scene, const std::vector<MaterialSpec>& materials);
 Result<std::vector<LuminaireType>> loadLuminaireTypes(const ProjectSpec& spec);

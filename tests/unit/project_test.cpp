@@ -202,6 +202,26 @@ TEST_F(ProjectTest, Furniture) {
     EXPECT_LT((chair.max - Vec3d(5, 26, 1)).length(), 1e-5);
 }
 
+TEST_F(ProjectTest, MovesAnObjectOfTheGeometryAboutItsFoot) {
+    const auto moved = load(std::string(kHead) + "[[geometry]]\nfile = \"room.obj\"\nunit = \"m\"\n[[furniture]]\nobject = \"Floor\"\nmove = [10, 0, 0.5]\nturn_deg = 90\n");
+    ASSERT_TRUE(moved) << moved.error().text();
+    const auto& scene = moved->scene;
+    Box3d floor, ceiling;
+    for (const auto& mesh : scene.meshes)
+        for (const auto& p : mesh.positions) (scene.objects[mesh.object].name == "Floor" ? floor : ceiling).extendBy(scene.toUser(p));
+    // 4 x 5 m about (2, 2.5), turned to 5 x 4 m about (12, 2.5). Float spacing below 16 m: 1e-6 m.
+    EXPECT_LT((floor.min - Vec3d(9.5, 0.5, 0.5)).length(), 1e-5);
+    EXPECT_LT((floor.max - Vec3d(14.5, 4.5, 0.5)).length(), 1e-5);
+    EXPECT_LT((ceiling.min - Vec3d(0, 0, 3)).length(), 1e-5);
+    EXPECT_TRUE(scene.objects[0].movable);
+}
+
+TEST_F(ProjectTest, AFileOfFurnitureIsPlacedByItsPosition) {
+    const auto project = load(std::string(kHead) + "[[furniture]]\nfile = \"room.obj\"\nunit = \"m\"\nturn_deg = 90\n");
+    ASSERT_FALSE(project);
+    EXPECT_THAT(project.error().text(), HasSubstr("file and turn_deg exclude each other"));
+}
+
 TEST_F(ProjectTest, AnEmptyProjectIsAProject) {
     const auto project = load(kHead);
     ASSERT_TRUE(project) << project.error().text();
