@@ -65,7 +65,7 @@ struct ViewSettings {
     std::string volume;              ///< whose light is shown, by name; empty: the session's (Volumes::shown())
     bool glyphs = false;             ///< spheres at the volume's vertices
     int order = 1;                   ///< 0: radiance, 1: irradiance, more: moments
-    double glyphRadiusM = 0.12;
+    double glyphRadiusM = 0.08;
     bool firstLevelGrid = false;
     bool secondLevelGrid = false;
     CutPlane slice;                  ///< illuminance on surfaces that face sliceFacing

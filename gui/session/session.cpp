@@ -45,6 +45,7 @@ void Session::close() {
     solving.clear();
     volumes.clear();
     pictures.clear();
+    volumeLight.clear();
     place.tell(Change::Document);
     place.tell(Change::Project);
 }

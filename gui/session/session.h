@@ -5,6 +5,7 @@
 #include "gui/session/pictures.h"
 #include "gui/session/selection.h"
 #include "gui/session/solving.h"
+#include "gui/session/volume_light.h"
 #include "gui/session/volumes.h"
 #include "gui/session/workplace.h"
 
@@ -72,6 +73,7 @@ public:
     Solving solving{place};
     Volumes volumes{place};
     Pictures pictures{place};
+    VolumeLight volumeLight{place};
 
 private:
     void load(const std::string& text, bool afterEdit);

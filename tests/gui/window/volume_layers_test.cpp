@@ -1,0 +1,135 @@
+// What views show of an irradiance volume, pixel by pixel.
+#include "gui/view3d/glyph_layer.h"
+#include "gui/view3d/lattice_layer.h"
+#include "tests/gui/made_volume.h"
+#include "tests/gui/open_session.h"
+#include "tests/gui/window/picture.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+namespace luxdeck::gui {
+namespace {
+
+using test::madeVolume;
+using test::OpenSession;
+using test::Picture;
+
+const ResolvedScale kScale{0, 100, false, tonemap::ColourMap::Dusk};
+
+struct Glyphs {
+    OpenSession open;
+    Picture picture;
+    GlyphLayer layer{*picture.renderer};
+    ViewSettings view;
+
+    Glyphs() {
+        view.glyphs = true;
+        view.glyphRadiusM = 0.3;
+    }
+    /// What is in the middle of the picture, looking from `from` at the vertex (1, 1, 1).
+    Picture::Colour seenFrom(const Vec3d& from) {
+        layer.update(open.session, view, kScale);
+        open.untilIdle();
+        layer.update(open.session, view, kScale);
+        const Vec3d eye = Vec3d(1) + from.normalized() * 6;
+        picture.look({eye.x, eye.y, eye.z}, {1, 1, 1}, 20);
+        picture.render();
+        return picture.at(200, 150);
+    }
+};
+
+void expectColour(const Picture::Colour& seen, const tonemap::Colour8& expected, int tolerance, const std::string& what) {
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], expected[c], tolerance) << what << ", channel " << c;
+}
+
+TEST(GlyphLayer, LightFromOneSideMakesThatSideBright) {
+    Glyphs glyphs;
+    glyphs.open.session.volumes.add(madeVolume("x", [](const Vec3& d) { return d.x > 0 ? 30.0F : 0.0F; }, 8));
+    // A hemisphere of 30 cd/m²: pi 30 lx on what faces it, nothing on what looks away. A bin's centre is up to 10 degrees
+    // off, 0.8 % of the light: three steps of colour.
+    expectColour(glyphs.seenFrom({1, 0.02, 0.01}), LightColours(kScale).colour(30 * kPiD), 4, "towards the light");
+    expectColour(glyphs.seenFrom({-1, 0.02, 0.01}), LightColours(kScale).colour(0), 4, "away from it");
+}
+
+TEST(GlyphLayer, EachDirectionShowsItsOwnBin) {
+    Glyphs glyphs;
+    glyphs.view.order = 0;
+    const auto radiance = [](const Vec3& d) { return 50 + 20 * d.x + 15 * d.y + 10 * d.z; };
+    const auto state = madeVolume("slopes", radiance);
+    glyphs.open.session.volumes.add(state);
+    for (const Vec3d& from : {Vec3d(1, 0.1, 0.2), Vec3d(-0.3, 1, 0.4), Vec3d(0.2, -1, -0.3), Vec3d(0.1, 0.2, 1), Vec3d(-0.2, 0.1, -1), Vec3d(-1, -1, 0.5)}) {
+        const auto bins = state.volume->bins();
+        const double value = radiance(bins.centre(bins.binOf(Vec3(from.normalized()))));
+        expectColour(glyphs.seenFrom(from), LightColours(kScale).colour(value), 3, fmt::format("from {} {} {}", from.x, from.y, from.z));
+    }
+}
+
+TEST(GlyphLayer, PartsViewsVolumesAndUnusableVertices) {
+    Glyphs glyphs;
+    auto& session = glyphs.open.session;
+    session.volumes.add(madeVolume("bright", [](const Vec3&) { return 20.0F; }));
+    auto dark = madeVolume("inside", [](const Vec3&) { return 1.0F; });
+    auto changed = std::make_shared<IrradianceVolume>(*dark.volume);
+    for (auto& quality : changed->quality) quality.inside = true;
+    dark.volume = changed;
+    session.volumes.add(dark);
+    glyphs.view.volume = "bright";
+    expectColour(glyphs.seenFrom({1, 0, 0}), LightColours(kScale).colour(20 * kPiD), 4, "the volume that the view names");
+    glyphs.view.part = LightPart::Indirect;
+    expectColour(glyphs.seenFrom({1, 0, 0}), LightColours(kScale).colour(0), 4, "there is no indirect light");
+    glyphs.view.volume = "inside";
+    glyphs.view.part = LightPart::Total;
+    const auto cross = glyphs.seenFrom({1, 0.3, 0.3});
+    EXPECT_NEAR(cross[0], 0.55 * 255, 12) << "a cross marks a vertex that nothing is known of";
+    glyphs.view.glyphs = false;
+    expectColour(glyphs.seenFrom({1, 0, 0}), {0, 0, 0}, 0, "switched off");
+}
+
+TEST(GlyphLayer, RangeIsThatOfTheLightAndNothingChangesTwice) {
+    Glyphs glyphs;
+    auto& session = glyphs.open.session;
+    EXPECT_TRUE(glyphs.layer.lightRange(session, glyphs.view).empty()) << "no volume";
+    session.volumes.add(madeVolume("x", [](const Vec3& d) { return d.x > 0 ? 30.0F : 0.0F; }));
+    EXPECT_TRUE(glyphs.layer.lightRange(session, glyphs.view).empty()) << "not made yet";
+    ASSERT_TRUE(glyphs.open.untilIdle());
+    EXPECT_NEAR(glyphs.layer.lightRange(session, glyphs.view).high, 30 * kPiD, 4);
+    EXPECT_TRUE(glyphs.layer.update(session, glyphs.view, kScale));
+    EXPECT_FALSE(glyphs.layer.update(session, glyphs.view, kScale));
+    glyphs.view.glyphRadiusM = 0.1;
+    EXPECT_TRUE(glyphs.layer.update(session, glyphs.view, kScale));
+}
+
+TEST(LatticeLayer, LevelsAreDrawnWhenAskedFor) {
+    OpenSession open;
+    auto state = madeVolume("x", [](const Vec3&) { return 1.0F; });
+    auto divided = std::make_shared<IrradianceVolume>(*state.volume);
+    divided->lattice = *Lattice::create(Box3(Vec3(-1), Vec3(1)), {1, 1, 1}, 2, 1);
+    divided->lattice.divide(0);
+    state.volume = divided;
+    open.session.volumes.add(state);
+    Picture picture;
+    LatticeLayer layer(*picture.renderer);
+    ViewSettings view;
+    const auto coloured = [&] {
+        layer.update(open.session, view, kScale);
+        picture.look({0, 0, 8}, {0, 0.001, 0}, 20);
+        picture.render();
+        int count = 0;
+        for (int x = 0; x < 400; x += 1)
+            for (int y = 100; y < 200; y += 9) count += picture.at(x, y) != Picture::Colour{0, 0, 0} ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(coloured(), 0);
+    view.firstLevelGrid = true;
+    const int first = coloured();
+    EXPECT_GT(first, 0);
+    view.secondLevelGrid = true;
+    EXPECT_GT(coloured(), first);
+}
+
+}  // namespace
+}  // namespace luxdeck::gui
