@@ -28,7 +28,7 @@ struct Glyphs {
 
     Glyphs() {
         view.glyphs = true;
-        view.glyphRadiusM = 0.3;
+        view.glyphRadiusM = 0.15;  // the others do not hide the one that is looked at
     }
     /// What is in the middle of the picture, looking from `from` at the vertex (1, 1, 1).
     Picture::Colour seenFrom(const Vec3d& from) {
@@ -48,11 +48,14 @@ void expectColour(const Picture::Colour& seen, const tonemap::Colour8& expected,
 
 TEST(GlyphLayer, LightFromOneSideMakesThatSideBright) {
     Glyphs glyphs;
-    glyphs.open.session.volumes.add(madeVolume("x", [](const Vec3& d) { return d.x > 0 ? 30.0F : 0.0F; }, 8));
-    // A hemisphere of 30 cd/m²: pi 30 lx on what faces it, nothing on what looks away. A bin's centre is up to 10 degrees
-    // off, 0.8 % of the light: three steps of colour.
-    expectColour(glyphs.seenFrom({1, 0.02, 0.01}), LightColours(kScale).colour(30 * kPiD), 4, "towards the light");
-    expectColour(glyphs.seenFrom({-1, 0.02, 0.01}), LightColours(kScale).colour(0), 4, "away from it");
+    const auto state = madeVolume("x", [](const Vec3& d) { return d.x > 0 ? 30.0F : 0.0F; }, 8);
+    glyphs.open.session.volumes.add(state);
+    const auto bins = state.volume->bins();
+    for (const Vec3d& from : {Vec3d(1, 0.1, 0.1), Vec3d(-1, 0.1, 0.1), Vec3d(0.1, 1, 0.2)}) {
+        // A hemisphere of radiance L gives pi L (1 + cos) / 2; directions share their bin's value.
+        const double cosine = bins.centre(bins.binOf(Vec3(from.normalized()))).x;
+        expectColour(glyphs.seenFrom(from), LightColours(kScale).colour(30 * kPiD * (1 + cosine) / 2), 5, fmt::format("from x = {}", from.x));
+    }
 }
 
 TEST(GlyphLayer, EachDirectionShowsItsOwnBin) {
