@@ -4,11 +4,9 @@
 #include "gui/view3d/annotation.h"
 #include "gui/view3d/light_colours.h"
 
-<<<<<<< HEAD
 #include <vector>
-=======
+
 class vtkRenderer;
->>>>>>> 7eac1c6 (Spheres of a volume: each a square whose shader finds its bins, so that thousands turn with all of them; grid lines; light of volumes made beside the window)
 
 namespace luxdeck::gui {
 
