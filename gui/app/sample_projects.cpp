@@ -19,12 +19,13 @@ const Known kKnown[] = {
 };
 
 QString folderOfSamples() {
+    if (const auto told = qEnvironmentVariable("LUXDECK_PROJECTS"); !told.isEmpty()) return told;
     const QDir program(QCoreApplication::applicationDirPath());
-    for (const char* place : {"../share/luxdeck/projects", "../../../projects", "../../projects"}) {
-        const QFileInfo office(program.filePath(QString::fromLatin1(place) + QStringLiteral("/office/project.toml")));
-        if (office.exists()) return QDir::cleanPath(program.filePath(QString::fromLatin1(place)));
+    for (const char* place : {"../share/luxdeck/projects", "../../../projects"}) {
+        const QDir folder(program.filePath(QString::fromLatin1(place)));
+        if (folder.exists(QStringLiteral("office/project.toml"))) return folder.canonicalPath();
     }
-    return qEnvironmentVariable("LUXDECK_PROJECTS");
+    return {};
 }
 
 }  // namespace

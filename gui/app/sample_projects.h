@@ -14,7 +14,7 @@ struct SampleProject {
     QString picture;      ///< beside it; empty: none
 };
 
-/// Those beside the program: installed in share/luxdeck/projects, or in the source tree it was built from.
+/// Those in $LUXDECK_PROJECTS, or beside the program: installed in share/luxdeck/projects, or in the source tree it was built from.
 std::vector<SampleProject> sampleProjects();
 
 }  // namespace luxdeck::gui

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <iostream>
 #include <string>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -25,6 +26,7 @@ public:
         if (pipe(ends) != 0) return false;
         child_ = fork();
         if (child_ == 0) {
+            prctl(PR_SET_PDEATHSIG, SIGTERM);  // also when the tests are killed
             close(ends[0]);
             const auto number = std::to_string(ends[1]);
             execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1600x1000x24", "-nolisten", "tcp", "-noreset", nullptr);
@@ -70,6 +72,7 @@ int main(int argc, char** argv) {
     if (mkdtemp(folder) == nullptr) return 1;
     for (const char* name : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"}) setenv(name, folder, 1);
     setenv("XDG_RUNTIME_DIR", folder, 1);
+    setenv("LUXDECK_PROJECTS", LUXDECK_SOURCE_DIR "/projects", 1);
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     luxdeck::gui::prepareGraphics();
     QApplication application(argc, argv);
