@@ -2,7 +2,10 @@
 
 #include "gui/app/job_bar.h"
 #include "gui/app/start_page.h"
+#include "gui/panels/picture_panel.h"
+#include "gui/panels/show_panel.h"
 #include "gui/panels/text.h"
+#include "gui/view3d/view_area.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -24,14 +27,12 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     : QMainWindow(parent), memory_(memory),
       // From a job's thread: the event loop takes it from there.
       session_([this] { QMetaObject::invokeMethod(this, [this] { session_.deliver(); }, Qt::QueuedConnection); }),
-      pages_(new QStackedWidget(this)), start_(new StartPage(memory, this)), workspaces_(new QTabWidget(this)), views_(new QWidget(this)), probe_(new QLabel(this)) {
+      pages_(new QStackedWidget(this)), start_(new StartPage(memory, this)), workspaces_(new QTabWidget(this)), probe_(new QLabel(this)) {
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     session_.setDisplay(memory_.display());
-    workspaces_->setObjectName(QStringLiteral("workspaces"));
-    workspaces_->setDocumentMode(true);
-    workspaces_->addTab(views_, tr("Room"));
+    makeWorkspaces();
     pages_->addWidget(start_);
     pages_->addWidget(workspaces_);
     setCentralWidget(pages_);
@@ -55,6 +56,19 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
 }
 
 MainWindow::~MainWindow() = default;
+
+void MainWindow::makeWorkspaces() {
+    workspaces_->setObjectName(QStringLiteral("workspaces"));
+    workspaces_->setDocumentMode(true);
+    views_ = new ViewArea(session_);
+    picture_ = new PicturePanel(session_);
+    picture_->setCamera([this] { return views_->cameraAsView("camera"); });
+    workspaces_->addTab(views_, tr("Room"));
+    workspaces_->addTab(picture_, tr("Pictures"));
+    connect(views_, &ViewArea::probed, probe_, &QLabel::setText);
+    connect(views_, &ViewArea::activeChanged, this, [this](int index) { show_->setView(static_cast<std::size_t>(index)); });
+    connect(picture_, &PicturePanel::failed, this, [this](const QString& why) { session_.place.complain({ErrorCode::InvalidArgument, why.toStdString(), {}}); });
+}
 
 void MainWindow::heard(Change change) {
     switch (change) {

@@ -17,10 +17,12 @@ class QTimer;
 
 namespace luxdeck::gui {
 
+class PicturePanel;
 class ResultsPanel;
 class ShowPanel;
 class SolvePanel;
 class StartPage;
+class ViewArea;
 
 /// The window: a room in the middle, docks around it, everything reachable by menu and key. What happens is the session's;
 /// this class arranges.
@@ -32,6 +34,7 @@ public:
     ~MainWindow() override;
 
     [[nodiscard]] Session& session() { return session_; }
+    [[nodiscard]] ViewArea& views() { return *views_; }
     /// Opens a project or a bare scene. What an earlier session could not save is offered.
     void open(const QString& file);
 
@@ -51,6 +54,8 @@ private:
     void makeMenus();
     void fileMenu();
     void recentMenu();
+    void cameraCommands(QMenu* menu);
+    void namedViewsMenu();
     void editMenu();
     void viewMenu();
     void calculateMenu();
@@ -74,6 +79,7 @@ private:
     void recover(const QString& file);
 
     // window_docks.cpp
+    void makeWorkspaces();
     void makeDocks();
     QDockWidget* dock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
     void leaveOutWhatIsNotThere();
@@ -89,13 +95,14 @@ private:
     QStackedWidget* pages_;
     StartPage* start_;
     QTabWidget* workspaces_;
-    QWidget* views_;
+    ViewArea* views_;
+    PicturePanel* picture_;
     ResultsPanel* results_;
     ShowPanel* show_;
     SolvePanel* solve_;
     QLabel* probe_;
     std::vector<QDockWidget*> docks_;
-    QMenu *panelsMenu_ = nullptr, *recentMenu_ = nullptr;
+    QMenu *panelsMenu_ = nullptr, *recentMenu_ = nullptr, *namedViewsMenu_ = nullptr;
 
     std::vector<QAction*> commands_, needProject_, needEditable_;
     QAction *save_ = nullptr, *undo_ = nullptr, *redo_ = nullptr;

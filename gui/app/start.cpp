@@ -4,6 +4,7 @@
 #include "engine/core/version.h"
 #include "gui/app/main_window.h"
 #include "gui/view3d/graphics.h"
+#include "gui/view3d/graphics.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -15,6 +16,7 @@ namespace luxdeck::gui {
 int run(int argc, char** argv) {
     QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    prepareGraphics();
     prepareGraphics();
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("luxdeck"));

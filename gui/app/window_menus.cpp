@@ -1,8 +1,10 @@
 #include "gui/app/main_window.h"
 
 #include "gui/app/shortcuts_dialog.h"
+#include "gui/panels/picture_panel.h"
 #include "gui/panels/results_panel.h"
 #include "gui/panels/solve_panel.h"
+#include "gui/view3d/view_area.h"
 
 #include "engine/core/version.h"
 
@@ -80,6 +82,8 @@ void MainWindow::editMenu() {
 
 void MainWindow::viewMenu() {
     auto* menu = menuBar()->addMenu(tr("&View"));
+    cameraCommands(menu);
+    menu->addSeparator();
     auto* count = menu->addMenu(tr("Views at &once"));
     auto* counts = new QActionGroup(this);
     choice(count, counts, {"oneView", "One", "Ctrl+1", "A single view of the room"}, true, [this] { session_.setViewCount(1); });
@@ -148,9 +152,35 @@ void MainWindow::viewMenu() {
     command(menu, Needs::Nothing, {"fullScreen", "F&ull screen", "F11", "The window without its frame"}, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
 }
 
+void MainWindow::cameraCommands(QMenu* menu) {
+    // F, 1, 3 and 7 alone are the views' own while they have the keyboard.
+    command(menu, Needs::Project, {"fitView", "&Fit all", "Ctrl+F", "The whole project in view"}, [this] { views_->fit(); });
+    auto* from = menu->addMenu(tr("&Look from"));
+    const std::pair<CommandText, Side> sides[] = {{{"lookTop", "&Above", "Ctrl+7", "The plan"}, Side::Top},
+                                                  {{"lookFront", "&South", "Ctrl+Shift+1", "From the front"}, Side::Front},
+                                                  {{"lookBack", "&North", "", "From behind"}, Side::Back},
+                                                  {{"lookRight", "&East", "Ctrl+3", "From the right"}, Side::Right},
+                                                  {{"lookLeft", "&West", "", "From the left"}, Side::Left},
+                                                  {{"lookCorner", "&Corner", "Ctrl+0", "From above a corner"}, Side::Iso}};
+    for (const auto& [text, side] : sides) command(from, Needs::Project, text, [this, side = side] { views_->lookFrom(side); });
+    namedViewsMenu_ = menu->addMenu(tr("Na&med views"));
+    connect(namedViewsMenu_, &QMenu::aboutToShow, this, &MainWindow::namedViewsMenu);
+}
+
+void MainWindow::namedViewsMenu() {
+    namedViewsMenu_->clear();
+    if (const auto loaded = session_.project())
+        for (const auto& view : loaded->project.views) namedViewsMenu_->addAction(QString::fromStdString(view.name), this, [this, view] { views_->goTo(view); });
+    if (namedViewsMenu_->isEmpty()) namedViewsMenu_->addAction(tr("None yet"))->setEnabled(false);
+}
+
 void MainWindow::calculateMenu() {
     auto* menu = menuBar()->addMenu(tr("&Calculate"));
     command(menu, Needs::Project, {"solve", "&Solve", "F5", "Illuminance on all calculation surfaces, as the panel Calculate says"}, [this] { solve_->start(); });
+    command(menu, Needs::Project, {"render", "&Render picture", "F12", "The chosen view, as the page Pictures says"}, [this] {
+        showWorkspace(Workspace::Picture);
+        picture_->render();
+    });
     command(menu, Needs::Nothing, {"stopAll", "S&top everything", "Ctrl+.", "Cancels all background work; what is known is kept"}, [this] { session_.place.jobs.cancelAll(); });
 }
 

@@ -59,7 +59,7 @@ public:
         if (!QTest::qWaitFor([&] { return (box = window->findChild<QMessageBox*>()) != nullptr && box->isVisible(); }, 20'000)) return {};
         const auto text = box->text().toStdString();
         box->close();
-        QTest::qWaitFor([&] { return window->findChild<QMessageBox*>() == nullptr; }, 5000);
+        (void)QTest::qWaitFor([&] { return window->findChild<QMessageBox*>() == nullptr; }, 5000);
         return text;
     }
     /// The next question is answered with the button of that text.
