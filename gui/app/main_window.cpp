@@ -27,10 +27,10 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     : QMainWindow(parent), memory_(memory),
       // From a job's thread: the event loop takes it from there.
       session_([this] { QMetaObject::invokeMethod(this, [this] { session_.deliver(); }, Qt::QueuedConnection); }),
-      pages_(new QStackedWidget(this)), start_(new StartPage(memory, this)), workspaces_(new QTabWidget(this)), probe_(new QLabel(this)) {
+      pages_(new QStackedWidget(this)), start_(new StartPage(memory, this)), workspaces_(new QTabWidget(this)), room_(new QMainWindow(this, Qt::Widget)), probe_(new QLabel(this)) {
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
-    setDockNestingEnabled(true);
+    room_->setDockNestingEnabled(true);
     session_.setDisplay(memory_.display());
     makeWorkspaces();
     pages_->addWidget(start_);
@@ -51,7 +51,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
 
     resize(1440, 900);
     restoreGeometry(memory_.geometry());
-    restoreState(memory_.docks());
+    room_->restoreState(memory_.docks());
     heard(Change::Project);
 }
 
@@ -63,7 +63,8 @@ void MainWindow::makeWorkspaces() {
     views_ = new ViewArea(session_);
     picture_ = new PicturePanel(session_);
     picture_->setCamera([this] { return views_->cameraAsView("camera"); });
-    workspaces_->addTab(views_, tr("Room"));
+    room_->setCentralWidget(views_);
+    workspaces_->addTab(room_, tr("Room"));
     workspaces_->addTab(picture_, tr("Pictures"));
     connect(views_, &ViewArea::probed, probe_, &QLabel::setText);
     connect(views_, &ViewArea::activeChanged, this, [this](int index) { show_->setView(static_cast<std::size_t>(index)); });
@@ -123,7 +124,7 @@ void MainWindow::showWorkspace(Workspace workspace) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (!letGo()) return event->ignore();
-    memory_.keepWindow(saveGeometry(), saveState());
+    memory_.keepWindow(saveGeometry(), room_->saveState());
     session_.close();  // stops what runs
     event->accept();
 }

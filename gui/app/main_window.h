@@ -95,6 +95,7 @@ private:
     QStackedWidget* pages_;
     StartPage* start_;
     QTabWidget* workspaces_;
+    QMainWindow* room_;  // the page Room: views in the middle, docks around them
     ViewArea* views_;
     PicturePanel* picture_;
     ResultsPanel* results_;

@@ -52,7 +52,7 @@ QMainWindow::separator:hover { background: @accent; }
 QDockWidget { font-weight: 600; }
 QDockWidget::title { padding: 6px 8px; background: @window; border-bottom: 1px solid @line; }
 QMenuBar { padding: 2px; border-bottom: 1px solid @line; }
-QToolBar { border: none; border-bottom: 1px solid @line; padding: 3px; spacing: 4px; }
+QToolBar { border: none; padding: 1px 6px; spacing: 2px; }
 QStatusBar { border-top: 1px solid @line; }
 QStatusBar::item { border: none; }
 QTabWidget::pane { border: none; border-top: 1px solid @line; }

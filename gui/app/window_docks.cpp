@@ -15,6 +15,8 @@ namespace luxdeck::gui {
 
 namespace {
 
+constexpr int kResultsHeight = 230, kSideWidth = 270;
+
 QWidget* scrolled(QWidget* content) {
     auto* area = new QScrollArea;
     area->setWidget(content);
@@ -26,17 +28,17 @@ QWidget* scrolled(QWidget* content) {
 }  // namespace
 
 QDockWidget* MainWindow::dock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
-    auto* dock = new QDockWidget(title, this);
+    auto* dock = new QDockWidget(title, room_);
     dock->setObjectName(name);
     dock->setWidget(content);
-    addDockWidget(area, dock);
+    room_->addDockWidget(area, dock);
     docks_.push_back(dock);
     return dock;
 }
 
 void MainWindow::makeDocks() {
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    room_->setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+    room_->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     auto* tree = new ProjectTree(session_);
     results_ = new ResultsPanel(session_);
     show_ = new ShowPanel(session_);
@@ -44,26 +46,18 @@ void MainWindow::makeDocks() {
     dock(QStringLiteral("projectDock"), tr("Project"), tree, Qt::LeftDockWidgetArea);
     auto* solve = dock(QStringLiteral("solveDock"), tr("Calculate"), scrolled(solve_), Qt::RightDockWidgetArea);
     auto* show = dock(QStringLiteral("showDock"), tr("Show"), scrolled(show_), Qt::RightDockWidgetArea);
-    tabifyDockWidget(solve, show);
+    room_->tabifyDockWidget(solve, show);
     solve->raise();
     auto* results = dock(QStringLiteral("resultsDock"), tr("Results"), results_, Qt::BottomDockWidgetArea);
     auto* log = dock(QStringLiteral("logDock"), tr("Log"), new LogPanel(session_), Qt::BottomDockWidgetArea);
-    tabifyDockWidget(results, log);
+    room_->tabifyDockWidget(results, log);
     results->raise();
+    room_->resizeDocks({results}, {kResultsHeight}, Qt::Vertical);
+    room_->resizeDocks({docks_.front(), solve}, {kSideWidth, kSideWidth + 20}, Qt::Horizontal);
 }
 
+/// What the project lacks has no panel: no volumes, no panel of volumes.
 void MainWindow::leaveOutWhatIsNotThere() {
-    const bool open = session_.project() != nullptr;
-    for (auto* dock : docks_) {
-        dock->toggleViewAction()->setVisible(open);
-        if (!open && !dock->isHidden()) {
-            dock->setProperty("wasThere", true);
-            dock->hide();
-        } else if (open && dock->property("wasThere").toBool()) {
-            dock->setProperty("wasThere", false);
-            dock->show();
-        }
-    }
 }
 
 }  // namespace luxdeck::gui

@@ -15,6 +15,8 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QTabWidget>
+#include <QToolBar>
 
 /// Every command of the window, by menu.
 namespace luxdeck::gui {
@@ -47,6 +49,10 @@ void MainWindow::makeMenus() {
     viewMenu();
     calculateMenu();
     helpMenu();
+    auto* quick = new QToolBar(workspaces_);
+    quick->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    for (const char* name : {"undo", "redo", "fitView", "solve", "render"}) quick->addAction(findChild<QAction*>(QString::fromLatin1(name)));
+    workspaces_->setCornerWidget(quick);
     refreshCommands();
 }
 
@@ -199,6 +205,8 @@ void MainWindow::refreshCommands() {
     const auto& document = session_.document();
     undo_->setEnabled(document.canUndo());
     redo_->setEnabled(document.canRedo());
+    undo_->setIconText(tr("Undo"));
+    redo_->setIconText(tr("Redo"));
     undo_->setText(document.canUndo() ? tr("&Undo %1").arg(QString::fromStdString(document.undoName())) : tr("&Undo"));
     redo_->setText(document.canRedo() ? tr("&Redo %1").arg(QString::fromStdString(document.redoName())) : tr("&Redo"));
 }

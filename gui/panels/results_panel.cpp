@@ -16,6 +16,8 @@ namespace luxdeck::gui {
 
 namespace {
 
+constexpr int kTableWidth = 600;  // of each table, at first and in proportion
+
 QTableView* table(QAbstractTableModel* model, const QString& name, QWidget* parent) {
     auto* view = new QTableView(parent);
     view->setObjectName(name);
@@ -27,7 +29,8 @@ QTableView* table(QAbstractTableModel* model, const QString& name, QWidget* pare
     view->verticalHeader()->setVisible(false);
     view->verticalHeader()->setDefaultSectionSize(24);
     view->horizontalHeader()->setHighlightSections(false);
-    view->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    view->horizontalHeader()->setStretchLastSection(false);
     return view;
 }
 
@@ -56,12 +59,11 @@ ResultsPanel::ResultsPanel(Session& session, QWidget* parent)
     tables_ = split;
     gridView_ = table(grids_, QStringLiteral("gridTable"), split);
     pointView_ = table(points_, QStringLiteral("pointTable"), split);
-    gridView_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-    for (int column = 1; column < grids_->columnCount(); ++column) gridView_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     split->addWidget(gridView_);
     split->addWidget(pointView_);
-    split->setStretchFactor(0, 3);
-    split->setStretchFactor(1, 2);
+    split->setStretchFactor(0, 1);
+    split->setStretchFactor(1, 1);
+    split->setSizes({kTableWidth, kTableWidth});
     state_->setObjectName(QStringLiteral("resultState"));
     state_->setContentsMargins(8, 4, 8, 4);
     layout->addWidget(empty_, 1);
