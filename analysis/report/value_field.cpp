@@ -1,5 +1,6 @@
 #include "analysis/report/value_field.h"
 
+#include "analysis/grids/grid_field.h"
 #include "analysis/report/number_format.h"
 #include "tonemap/colour_map.h"
 #include "tonemap/isolines.h"
@@ -20,17 +21,6 @@ double roundStep(double span, int wanted) {
     for (const double factor : {1.0, 2.0, 5.0})
         if (raw <= factor * magnitude * 1.0000001) return factor * magnitude;
     return 10 * magnitude;
-}
-
-/// The value at column x, row y of a grid, both in units of points, clamped to the outer points.
-double sampleField(const std::vector<double>& values, int columns, int rows, double x, double y) {
-    x = std::clamp(x, 0.0, columns - 1.0);
-    y = std::clamp(y, 0.0, rows - 1.0);
-    const int x0 = std::min(static_cast<int>(x), std::max(columns - 2, 0)), x1 = std::min(x0 + 1, columns - 1);
-    const int y0 = std::min(static_cast<int>(y), std::max(rows - 2, 0)), y1 = std::min(y0 + 1, rows - 1);
-    const double fx = x - x0, fy = y - y0;
-    const auto at = [&](int i, int j) { return values[static_cast<std::size_t>(j) * columns + i]; };
-    return (at(x0, y0) * (1 - fx) + at(x1, y0) * fx) * (1 - fy) + (at(x0, y1) * (1 - fx) + at(x1, y1) * fx) * fy;
 }
 
 }  // namespace

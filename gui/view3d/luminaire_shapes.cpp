@@ -1,6 +1,7 @@
 #include "gui/view3d/luminaire_shapes.h"
 
 #include "engine/scene/opening.h"
+#include "gui/view3d/view_colours.h"
 
 #include <vtkCellArray.h>
 #include <vtkPointData.h>
@@ -67,8 +68,9 @@ PlacedOpening openingOf(const Scene& scene, std::uint32_t index) {
 Rgb lightColour(const Scene& scene, const Luminaire& luminaire) {
     const Rgb& type = scene.luminaireTypes[luminaire.type].colour;
     Rgb bright = type * (1 / std::max(type.max(), 1e-6F));
-    // Colours of white light differ little: towards white, so that they look like light.
-    bright = bright * 0.55F + Rgb(0.45F);
+    // Towards white, so that it looks like light.
+    bright = bright * 0.5F + Rgb(0.5F);
+    bright = {encodedSrgb(bright.r), encodedSrgb(bright.g), encodedSrgb(bright.b)};
     const float on = luminaire.dimming > 0 ? 0.35F + 0.65F * std::pow(static_cast<float>(luminaire.dimming), 0.45F) : 0;
     return bright * on + Rgb(0.30F, 0.32F, 0.35F) * (1 - on);
 }

@@ -1,6 +1,7 @@
 #include "gui/view3d/room_model.h"
 
 #include "gui/view3d/crease_edges.h"
+#include "gui/view3d/view_colours.h"
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -21,17 +22,12 @@ namespace {
 
 constexpr Rgb kPlain{0.72F, 0.73F, 0.75F};
 
-float encoded(float linear) {
-    const float v = std::clamp(linear, 0.0F, 1.0F);
-    return v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
-}
-
-unsigned char byte(float linear) { return static_cast<unsigned char>(std::lround(255 * encoded(linear))); }
+unsigned char byte(float linear) { return static_cast<unsigned char>(std::lround(255 * encodedSrgb(linear))); }
 
 /// How light a face is by where it looks: bright from above, walls by their direction, so that corners are seen.
 float evenLight(const Vec3& n) {
-    const float sideways = 0.70F + 0.10F * n.x - 0.06F * n.y;
-    return std::clamp(sideways + 0.27F * n.z, 0.4F, 1.0F);
+    const float sideways = 0.76F + 0.10F * n.x - 0.07F * n.y;
+    return std::clamp(sideways + (n.z > 0 ? 0.24F : 0.12F) * n.z, 0.4F, 1.0F);
 }
 
 /// What colour a material has, by and large.

@@ -1,5 +1,6 @@
 #include "gui/view3d/scene_view.h"
 
+#include "gui/view3d/grid_layer.h"
 #include "gui/view3d/luminaire_layer.h"
 #include "gui/view3d/room_layer.h"
 #include "gui/view3d/view_overlay.h"
@@ -38,8 +39,11 @@ SceneView::SceneView(Session& session, const SharedScene& shared, std::size_t in
     auto room = std::make_unique<RoomLayer>(*renderer_, shared_);
     auto luminaires = std::make_unique<LuminaireLayer>(*renderer_, shared_);
     room_ = room.get();
+    auto grids = std::make_unique<GridLayer>(*renderer_, shared_);
     luminaires_ = luminaires.get();
+    grids_ = grids.get();
     layers_.push_back(std::move(room));
+    layers_.push_back(std::move(grids));
     layers_.push_back(std::move(luminaires));
 
     navigator_ = std::make_unique<Navigator>(navigatorPlace());
@@ -187,6 +191,7 @@ void SceneView::applyPalette() {
     renderer_->SetBackground2(top[0], top[1], top[2]);
     room_->setColours(colours);
     luminaires_->setColours(colours);
+    grids_->setColours(colours);
     overlay_->setColours(colours);
     requestRender();
 }

@@ -19,6 +19,7 @@
 
 namespace luxdeck::gui {
 
+class GridLayer;
 class LuminaireLayer;
 class RoomLayer;
 class ViewOverlay;
@@ -95,6 +96,7 @@ private:
     vtkNew<vtkRenderer> renderer_;
     RoomLayer* room_ = nullptr;              // of layers_
     LuminaireLayer* luminaires_ = nullptr;
+    GridLayer* grids_ = nullptr;
     std::vector<std::unique_ptr<Layer>> layers_;
     ViewOverlay* overlay_;
     std::unique_ptr<Navigator> navigator_;

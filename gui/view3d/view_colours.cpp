@@ -1,6 +1,14 @@
 #include "gui/view3d/view_colours.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace luxdeck::gui {
+
+float encodedSrgb(float linear) {
+    const float v = std::clamp(linear, 0.0F, 1.0F);
+    return v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
+}
 
 ViewColours ViewColours::of(const QPalette& palette) {
     ViewColours colours;

@@ -18,6 +18,9 @@ struct ViewColours {
     static ViewColours of(const QPalette& palette);
 };
 
+/// A linear value as screens have it (IEC 61966-2-1), clamped to 0 .. 1.
+float encodedSrgb(float linear);
+
 inline std::array<double, 3> rgbOf(const QColor& colour) { return {colour.redF(), colour.greenF(), colour.blueF()}; }
 
 }  // namespace luxdeck::gui

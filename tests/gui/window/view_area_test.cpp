@@ -35,6 +35,13 @@ protected:
     Session& session() { return open_.session; }
     SceneView& view(std::size_t index = 0) { return area_->view(index); }
     const Scene& scene() { return session().project()->project.scene; }
+    void solve(std::uint32_t samples = 64) {
+        SolveSettings settings;
+        settings.samples = samples;
+        session().solving.start(settings);
+        ASSERT_TRUE(open_.untilIdle());
+        settle();
+    }
     QPoint pixel(const Vec3d& point, std::size_t index = 0) { return view(index).pixelOf(point).value().toPoint(); }
     std::size_t object(const std::string& name) {
         const auto& objects = scene().objects;
@@ -64,9 +71,18 @@ TEST_F(Views, AreLookedAt) {
             settle();
             keep(sample + "-inside" + suffix);
         }
-        area_->lookFrom(Side::Top);
+        solve();
+        keep(sample + "-lux-inside-dark");
+        applyTheme(*qApp, Theme::Light);
+        area_->lookFrom(Side::Iso);
         settle();
-        keep(sample + "-top");
+        keep(sample + "-lux-iso");
+        area_->lookFrom(Side::Top);
+        auto settings = session().views().front();
+        settings.values = true;
+        session().setView(0, settings);
+        settle();
+        keep(sample + "-lux-top");
         area_.reset();
     }
 }
