@@ -66,6 +66,13 @@ std::vector<Picked> surfacesOn(const Visible& visible, const SightLine& line, co
     return found;
 }
 
+/// A coloured calculation surface lies before the end of the span.
+bool behindSurface(const Visible& visible, const SightLine& line, const Span& span) {
+    if (visible.result == nullptr) return false;
+    const auto on = surfacesOn(visible, line, span);
+    return std::any_of(on.begin(), on.end(), [&](const Picked& p) { return !visible.onlyGrid || *visible.onlyGrid == p.what.index; });
+}
+
 bool shown(const Visible& visible, const Hit& hit) {
     if (hit.opening()) return visible.luminaires;
     return visible.surfaces && (visible.hiddenSides >> static_cast<unsigned>(visible.parts->side(hit.mesh, hit.triangle)) & 1U) == 0;
@@ -157,6 +164,10 @@ void seePoints(const Visible& visible, const CameraPose& pose, const std::vector
         }
         span.to = distance - kBeforeM;
         if (span.empty()) continue;
+        if (behindSurface(visible, line, span)) {
+            seen[i] = 0;
+            continue;
+        }
         walk(visible, line, span, Targets::Opaque, [&](const Picked&) {
             seen[i] = 0;
             return true;

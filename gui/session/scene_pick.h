@@ -6,7 +6,9 @@
 #include "gui/session/scene_parts.h"
 #include "gui/session/selection.h"
 
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace luxdeck::gui {
@@ -18,6 +20,7 @@ struct Visible {
     const SolveResult* result = nullptr;   ///< its surfaces can be picked; null: those of the project
     std::uint32_t hiddenSides = 0;         ///< as SceneParts::sidesInTheWay()
     bool surfaces = true, luminaires = true, grids = true;
+    std::optional<std::size_t> onlyGrid;   ///< the calculation surface that is not see-through; none: all are solid
     CutPlane section;
 };
 

@@ -21,6 +21,7 @@ struct Annotation {
     Vec3d at{0, 0, 0};            ///< re-based [m]
     QString text;
     QString detail;               ///< Surface: the second line
+    QString brief;                ///< Surface: what is written where both lines have no room
     QColor ground;                ///< what it stands on; ink is chosen to be read on it. Invalid: the view's paper
     Verdict verdict = Verdict::None;
     bool strong = false;          ///< of what is selected: drawn first

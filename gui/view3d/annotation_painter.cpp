@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace luxdeck::gui {
 
@@ -53,26 +54,43 @@ bool AnnotationPainter::take(const QRectF& box) {
 
 bool AnnotationPainter::paint(const Annotation& annotation, QPointF at) {
     using Kind = Annotation::Kind;
+    const auto place = [&](const Annotation& text) -> std::optional<QRectF> {
+        const QSizeF size = sizeOf(text);
+        const QRectF box(at - QPointF(size.width() / 2, size.height() / 2), size);
+        if (!take(box.adjusted(-kGap, -1, kGap, 1))) return {};
+        return box;
+    };
+    if (annotation.kind == Kind::Surface) {
+        if (const auto box = place(annotation)) return paintSurface(annotation, *box), true;
+        Annotation brief = annotation;   // where it is crowded the first figure is what matters
+        brief.text = annotation.brief;
+        brief.detail.clear();
+        if (const auto box = place(brief)) return paintSurface(brief, *box), true;
+        return false;
+    }
+    const auto box = place(annotation);
+    if (!box) return false;
+    if (annotation.kind == Kind::Value)
+        paintNumber(annotation, *box);
+    else
+        paintPill(annotation, *box);
+    return true;
+}
+
+QSizeF AnnotationPainter::sizeOf(const Annotation& annotation) const {
+    using Kind = Annotation::Kind;
     const QFont& font = annotation.kind == Kind::Surface ? strong_ : annotation.kind == Kind::Value ? value_ : small_;
     const QFontMetricsF metrics(font);
     QSizeF size(metrics.horizontalAdvance(annotation.text), metrics.height());
     if (annotation.kind == Kind::Surface) {
         size.setWidth(std::max(size.width(), QFontMetricsF(small_).horizontalAdvance(annotation.detail)) + (annotation.verdict == Verdict::None ? 0 : kSymbol + 6));
         size.rheight() += annotation.detail.isEmpty() ? 0 : QFontMetricsF(small_).height();
-        size += QSizeF(16, 9);
-    } else if (annotation.kind != Kind::Value) {
-        size += QSizeF(8, 2);
-        size.setWidth(std::max(size.width(), size.height()));
+        return size + QSizeF(16, 9);
     }
-    const QRectF box(at - QPointF(size.width() / 2, size.height() / 2), size);
-    if (!take(box.adjusted(-kGap, -1, kGap, 1))) return false;
-    if (annotation.kind == Kind::Surface)
-        paintSurface(annotation, box);
-    else if (annotation.kind == Kind::Value)
-        paintNumber(annotation, box);
-    else
-        paintPill(annotation, box);
-    return true;
+    if (annotation.kind == Kind::Value) return size;
+    size += QSizeF(8, 2);
+    size.setWidth(std::max(size.width(), size.height()));
+    return size;
 }
 
 void AnnotationPainter::paintNumber(const Annotation& annotation, const QRectF& box) {

@@ -21,6 +21,7 @@ public:
     bool paint(const Annotation& annotation, QPointF at);
 
 private:
+    [[nodiscard]] QSizeF sizeOf(const Annotation& annotation) const;
     /// Marks a box as taken; false when part of it already was.
     bool take(const QRectF& box);
     void paintNumber(const Annotation& annotation, const QRectF& box);

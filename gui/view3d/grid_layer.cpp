@@ -1,8 +1,8 @@
 #include "gui/view3d/grid_layer.h"
 
 #include "analysis/grids/grid_points.h"
-#include "gui/session/scene_pick.h"
 #include "gui/session/surface_light.h"
+#include "gui/view3d/section_plane.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +13,8 @@ namespace luxdeck::gui {
 
 namespace {
 
-constexpr double kOpacity = 0.94;
 constexpr double kFaded = 0.35;        // surfaces beside the selected one
-constexpr double kPointM = 0.045;      // radius of a point shown by itself
+constexpr double kPointM = 0.06;      // radius of a point shown by itself
 
 QString qt(const std::string& text) { return QString::fromStdString(text); }
 
@@ -95,9 +94,7 @@ GridLayer::Surface& GridLayer::newSurface() {
     surface.actor->GetProperty()->LightingOff();
     surface.mapper->ScalarVisibilityOff();
     if (from_.view.section.on) {
-        const auto point = sectionPoint(from_.view.section, shared_.parts->sceneBounds());
-        section_->SetOrigin(point.x, point.y, point.z);
-        section_->SetNormal(-from_.view.section.normal.x, -from_.view.section.normal.y, -from_.view.section.normal.z);
+        placeSection(*section_, from_.view.section, shared_.parts->sceneBounds());
         surface.mapper->AddClippingPlane(section_);
     }
     renderer_.AddActor(surface.actor);
@@ -200,10 +197,12 @@ void GridLayer::addTitle(const GridResult& grid, std::size_t index) {
     if (grid.points.empty()) return;
     Annotation title;
     title.kind = Annotation::Kind::Surface;
-    title.at = rebased(grid.columns > 0 ? grid.origin + grid.u * 0.5 + grid.v * 0.5 : grid.points.front().position);
+    title.at = rebased(grid.columns > 0 ? grid.origin + grid.u * 0.5 + grid.v : grid.points.front().position);
     title.text = qt(grid.name);
-    title.detail = QStringLiteral("Ēm ") + qt(from_.view.intervals ? intervalText(from_.units.illuminance(grid.mean.interval.value), from_.units.illuminance(grid.mean.interval.ci95)) + " " + from_.units.illuminanceUnit()
-                                                                 : from_.units.illuminanceText(grid.mean.interval.value));
+    const auto& mean = grid.mean.interval;
+    title.brief = qt(from_.units.illuminanceText(mean.value));
+    title.detail = QStringLiteral("Ēm ") + title.brief;
+    if (from_.view.intervals) title.detail = QStringLiteral("Ēm %1 %2").arg(qt(intervalText(from_.units.illuminance(mean.value), from_.units.illuminance(mean.ci95))), QString::fromUtf8(from_.units.illuminanceUnit()));
     if (std::isfinite(grid.uniformity.interval.value)) title.detail += QStringLiteral("  Uo %1").arg(grid.uniformity.interval.value, 0, 'f', 2);
     if (!from_.current) title.detail += QStringLiteral("  ·  old");
     else if (!from_.result->complete) title.detail += QStringLiteral("  …");
@@ -218,7 +217,7 @@ void GridLayer::restyle() {
     for (const auto& surface : surfaces_) {
         auto& property = *surface->actor->GetProperty();
         switch (surface->role) {
-            case Surface::Role::Field: property.SetOpacity(surface->faded ? kFaded : kOpacity); break;
+            case Surface::Role::Field: property.SetOpacity(surface->faded ? kFaded : 1); break;
             case Surface::Role::Outline: {
                 const auto& colour = surface->strong ? accent : ink;
                 property.SetColor(colour[0], colour[1], colour[2]);

@@ -1,6 +1,7 @@
 #include "gui/view3d/luminaire_layer.h"
 
 #include "gui/view3d/luminaire_shapes.h"
+#include "gui/view3d/section_plane.h"
 
 #include <vtkCellArray.h>
 #include <vtkPoints.h>
@@ -111,6 +112,14 @@ void LuminaireLayer::restyle() {
     for (auto* drawn : {&selectedOutline_, &aim_}) drawn->actor->GetProperty()->SetColor(accent[0], accent[1], accent[2]);
 }
 
+void LuminaireLayer::clip() {
+    if (shared_.parts) placeSection(*section_, cut_, shared_.parts->sceneBounds());
+    for (auto* drawn : {&bodies_, &outlines_, &solids_, &selectedBody_, &selectedOutline_, &selectedSolid_}) {
+        drawn->mapper->RemoveAllClippingPlanes();
+        if (cut_.on) drawn->mapper->AddClippingPlane(section_);
+    }
+}
+
 bool LuminaireLayer::update(const Session& session, const ViewSettings& view, const ResolvedScale& /*scale*/) {
     const auto& picked = session.selection();
     const bool fresh = of_ != shared_.project || view.candelaSolids != allSolids_;
@@ -121,7 +130,10 @@ bool LuminaireLayer::update(const Session& session, const ViewSettings& view, co
     const bool marks = fresh || selected != selected_;
     selected_ = selected;
     if (marks) rebuildSelected();
-    if (!marks && view.luminaires == shown_) return false;
+    const bool cuts = fresh || view.section != cut_;
+    cut_ = view.section;
+    if (cuts) clip();
+    if (!marks && !cuts && view.luminaires == shown_) return false;
     shown_ = view.luminaires;
     restyle();
     return true;

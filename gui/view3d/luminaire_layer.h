@@ -7,6 +7,7 @@
 #include <vtkActor.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
 
@@ -33,6 +34,7 @@ private:
     void rebuild();
     void rebuildSelected();
     void restyle();
+    void clip();
     [[nodiscard]] const Scene* scene() const { return shared_.project ? &shared_.project->project.scene : nullptr; }
     [[nodiscard]] double metresPerCandela() const;
 
@@ -43,6 +45,8 @@ private:
     Drawn selectedOutline_, selectedSolid_, selectedBody_, aim_;
     std::int64_t selected_ = -1;
     bool shown_ = true, allSolids_ = false;
+    CutPlane cut_;
+    vtkNew<vtkPlane> section_;
     ViewColours colours_;
 };
 

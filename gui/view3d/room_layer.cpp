@@ -1,6 +1,6 @@
 #include "gui/view3d/room_layer.h"
 
-#include "gui/session/scene_pick.h"
+#include "gui/view3d/section_plane.h"
 
 #include <vtkPointData.h>
 #include <vtkProperty.h>
@@ -12,6 +12,7 @@ namespace {
 constexpr double kGlassOpacity = 0.22;
 constexpr double kEdgeOpacity = 0.28;
 constexpr double kMarkOpacity = 0.32;
+constexpr double kToTheFront = -66000;  // in VTK's units of depth: all of it
 
 }  // namespace
 
@@ -62,7 +63,7 @@ void RoomLayer::restyle() {
         shown->faces->GetProperty()->SetOpacity(shown->part->glass ? kGlassOpacity : 1);
         const auto edge = rgbOf(wire ? colours_.ink : colours_.edge);
         shown->edges->GetProperty()->SetColor(edge[0], edge[1], edge[2]);
-        shown->edges->GetProperty()->SetOpacity(wire ? 0.55 : kEdgeOpacity);
+        shown->edges->GetProperty()->SetOpacity(wire ? 0.35 : kEdgeOpacity);
     }
     if (!marked_) return;
     const auto accent = rgbOf(colours_.accent);
@@ -77,11 +78,7 @@ void RoomLayer::clip() {
             if (view_.section.on) mapper->AddClippingPlane(section_);
         }
     };
-    if (view_.section.on && shared_.parts) {
-        const auto point = sectionPoint(view_.section, shared_.parts->sceneBounds());
-        section_->SetOrigin(point.x, point.y, point.z);
-        section_->SetNormal(-view_.section.normal.x, -view_.section.normal.y, -view_.section.normal.z);
-    }
+    if (view_.section.on && shared_.parts) placeSection(*section_, view_.section, shared_.parts->sceneBounds());
     for (const auto& shown : shown_) apply(*shown);
     if (marked_) apply(*marked_);
 }
@@ -102,6 +99,9 @@ void RoomLayer::mark(const Selection& selection) {
     marked_->faceMapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, 0);
     marked_->faces->GetProperty()->SetOpacity(kMarkOpacity);
     marked_->edges->GetProperty()->SetLineWidth(2.5F);
+    // Before everything: it is to be found behind calculation surfaces too.
+    marked_->edgeMapper->SetResolveCoincidentTopologyToPolygonOffset();
+    marked_->edgeMapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, kToTheFront);
     renderer_.AddActor(marked_->faces);
     renderer_.AddActor(marked_->edges);
 }

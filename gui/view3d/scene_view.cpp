@@ -1,6 +1,8 @@
 #include "gui/view3d/scene_view.h"
 
+#include "gui/view3d/glyph_layer.h"
 #include "gui/view3d/grid_layer.h"
+#include "gui/view3d/lattice_layer.h"
 #include "gui/view3d/luminaire_layer.h"
 #include "gui/view3d/room_layer.h"
 #include "gui/view3d/view_overlay.h"
@@ -45,6 +47,8 @@ SceneView::SceneView(Session& session, const SharedScene& shared, std::size_t in
     layers_.push_back(std::move(room));
     layers_.push_back(std::move(grids));
     layers_.push_back(std::move(luminaires));
+    layers_.push_back(std::make_unique<LatticeLayer>(*renderer_));
+    layers_.push_back(std::make_unique<GlyphLayer>(*renderer_));
 
     navigator_ = std::make_unique<Navigator>(navigatorPlace());
     render_.setSingleShot(true);
@@ -96,6 +100,7 @@ Visible SceneView::visible() const {
     visible.surfaces = view.surfaces != SurfaceLook::Hidden;
     visible.luminaires = view.luminaires;
     visible.grids = view.grids;
+    if (session_.selection().thing == Thing::Grid) visible.onlyGrid = session_.selection().index;
     visible.section = view.section;
     return visible;
 }

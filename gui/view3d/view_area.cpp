@@ -1,5 +1,6 @@
 #include "gui/view3d/view_area.h"
 
+#include "gui/view3d/legend_bar.h"
 #include "gui/view3d/scene_view.h"
 
 #include <QHBoxLayout>
@@ -11,12 +12,13 @@
 
 namespace luxdeck::gui {
 
-ViewArea::ViewArea(Session& session, QWidget* parent) : QWidget(parent), session_(session), rows_(new QSplitter(Qt::Vertical, this)) {
+ViewArea::ViewArea(Session& session, QWidget* parent) : QWidget(parent), session_(session), rows_(new QSplitter(Qt::Vertical, this)), legend_(new LegendBar(session, this)) {
     setObjectName(QStringLiteral("viewArea"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(rows_, 1);
+    layout->addWidget(legend_);
     rows_->setChildrenCollapsible(false);
     session_.observe([area = QPointer<ViewArea>(this)](Change change) {
         if (area) area->heard(change);
@@ -98,6 +100,9 @@ void ViewArea::refresh() {
     }
     scale_ = resolved(session_.display().legend, all.low, all.high);
     for (auto* view : views_) view->refresh(scale_);
+    legend_->setVisible(!all.empty());
+    const auto& settings = session_.views();
+    legend_->show(scale_, std::all_of(settings.begin(), settings.end(), [](const ViewSettings& view) { return view.glyphs && view.order == 0; }));
 }
 
 void ViewArea::setActiveView(std::size_t index) {

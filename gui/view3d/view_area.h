@@ -14,6 +14,7 @@ class QSplitter;
 
 namespace luxdeck::gui {
 
+class LegendBar;
 class SceneView;
 struct Picked;
 
@@ -67,6 +68,7 @@ private:
     SharedScene shared_;
     std::vector<SceneView*> views_;
     QSplitter* rows_;
+    LegendBar* legend_;
     ResolvedScale scale_;
     std::size_t active_ = 0, lastProjectView_ = 0;
     bool fresh_ = false;      // the project is not yet in view

@@ -77,10 +77,29 @@ TEST_F(Views, AreLookedAt) {
         area_->lookFrom(Side::Iso);
         settle();
         keep(sample + "-lux-iso");
+        if (sample == "office") {
+            session().select({Thing::Object, object("Armchair 01")});
+            settle();
+            keep("office-object");
+            session().select({Thing::Luminaire, 9});
+            session().setViewCount(4);
+            auto solids = session().views()[1];
+            solids.candelaSolids = true, solids.grids = false, solids.surfaces = SurfaceLook::Plain;
+            session().setView(1, solids);
+            solids.candelaSolids = false, solids.surfaces = SurfaceLook::Wireframe;
+            session().setView(2, solids);
+            solids.surfaces = SurfaceLook::Materials, solids.section = {true, {1, 0, 0}, 1};
+            session().setView(3, solids);
+            settle();
+            keep("office-four");
+            session().setViewCount(1);
+            settle();
+        }
         area_->lookFrom(Side::Top);
         auto settings = session().views().front();
         settings.values = true;
         session().setView(0, settings);
+        session().select({Thing::Grid, 7});
         settle();
         keep(sample + "-lux-top");
         area_.reset();
