@@ -83,6 +83,7 @@ private:
     void makeDocks();
     QDockWidget* dock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
     void leaveOutWhatIsNotThere();
+    static void leaveOut(QDockWidget* dock, bool out);
 
     void heard(Change change);
     void refreshTitle();
@@ -103,6 +104,7 @@ private:
     SolvePanel* solve_;
     QLabel* probe_;
     std::vector<QDockWidget*> docks_;
+    QDockWidget* lightingDock_ = nullptr;
     QMenu *panelsMenu_ = nullptr, *recentMenu_ = nullptr, *namedViewsMenu_ = nullptr;
 
     std::vector<QAction*> commands_, needProject_, needEditable_;

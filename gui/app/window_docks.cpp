@@ -1,11 +1,13 @@
 #include "gui/app/main_window.h"
 
+#include "gui/panels/lighting_panel.h"
 #include "gui/panels/log_panel.h"
 #include "gui/panels/project_tree.h"
 #include "gui/panels/results_panel.h"
 #include "gui/panels/show_panel.h"
 #include "gui/panels/solve_panel.h"
 
+#include <QComboBox>
 #include <QDockWidget>
 #include <QMenu>
 #include <QScrollArea>
@@ -22,6 +24,11 @@ QWidget* scrolled(QWidget* content) {
     area->setWidget(content);
     area->setWidgetResizable(true);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    // Long entries must not make a panel wider than its dock.
+    for (auto* choice : content->findChildren<QComboBox*>()) {
+        choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        choice->setMinimumContentsLength(6);
+    }
     return area;
 }
 
@@ -46,7 +53,9 @@ void MainWindow::makeDocks() {
     dock(QStringLiteral("projectDock"), tr("Project"), tree, Qt::LeftDockWidgetArea);
     auto* solve = dock(QStringLiteral("solveDock"), tr("Calculate"), scrolled(solve_), Qt::RightDockWidgetArea);
     auto* show = dock(QStringLiteral("showDock"), tr("Show"), scrolled(show_), Qt::RightDockWidgetArea);
+    lightingDock_ = dock(QStringLiteral("lightingDock"), tr("Lighting"), scrolled(new LightingPanel(session_)), Qt::RightDockWidgetArea);
     room_->tabifyDockWidget(solve, show);
+    room_->tabifyDockWidget(show, lightingDock_);
     solve->raise();
     auto* results = dock(QStringLiteral("resultsDock"), tr("Results"), results_, Qt::BottomDockWidgetArea);
     auto* log = dock(QStringLiteral("logDock"), tr("Log"), new LogPanel(session_), Qt::BottomDockWidgetArea);
@@ -58,6 +67,20 @@ void MainWindow::makeDocks() {
 
 /// What the project lacks has no panel: no volumes, no panel of volumes.
 void MainWindow::leaveOutWhatIsNotThere() {
+    const auto loaded = session_.project();
+    leaveOut(lightingDock_, !loaded || loaded->project.scene.luminaires.empty());
+}
+
+void MainWindow::leaveOut(QDockWidget* dock, bool out) {
+    dock->toggleViewAction()->setVisible(!out);
+    const bool isOut = dock->property("leftOut").toBool();
+    if (out && !isOut && !dock->isHidden()) {
+        dock->setProperty("leftOut", true);
+        dock->hide();
+    } else if (!out && isOut) {
+        dock->setProperty("leftOut", false);
+        dock->show();
+    }
 }
 
 }  // namespace luxdeck::gui

@@ -81,14 +81,29 @@ void Solving::follow() {
     if (!solved_->layers || !sameGrids(now, of_->project) || hashWithoutDimming(now.scene) != lightless_ ||
         !dimmingsByName(of_->project.scene, now.scene, dimmings))
         return place_.tell(Change::Solve);
+    current_ = showDimmed(dimmings);
+    place_.tell(Change::Solve);
+}
+
+void Solving::preview(const std::map<std::string, double>& dimmings) {
+    if (!followsDimming() || !current_) return;
+    std::map<std::string, double> known;
+    for (const auto& layer : solved_->layers->layers)
+        if (const auto at = dimmings.find(layer.name); at != dimmings.end()) known.insert(*at);
+    if (showDimmed(known)) place_.tell(Change::Solve);
+}
+
+bool Solving::showDimmed(const std::map<std::string, double>& dimmings) {
     auto dimmed = recombine(of_->project, *solved_->layers, dimmings);
-    if (!dimmed) return place_.complain(dimmed.error());
+    if (!dimmed) {
+        place_.complain(dimmed.error());
+        return false;
+    }
     // What it cost stays that of the solve.
     dimmed->seconds = solved_->seconds, dimmed->algorithm = solved_->algorithm, dimmed->samples = solved_->samples, dimmed->trace = solved_->trace;
     dimmed->complete = solved_->complete;
     result_ = std::make_shared<const SolveResult>(*std::move(dimmed));
-    current_ = true;
-    place_.tell(Change::Solve);
+    return true;
 }
 
 void Solving::clear() {

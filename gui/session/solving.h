@@ -24,11 +24,19 @@ public:
     /// The result is of the project as it is now (or of one that differs in dimming alone, which was followed).
     [[nodiscard]] bool current() const;
 
+    /// The light of each luminaire is known apart, and so dimmings are followed.
+    [[nodiscard]] bool followsDimming() const { return solved_ && solved_->layers; }
+    /// Shows the results as other dimmings would have them, by the luminaires' names; nothing where they are not followed.
+    /// What the project says comes back with its next change.
+    void preview(const std::map<std::string, double>& dimmings);
+
     /// The project has changed: dimmings are followed from the layers; anything else makes the result old.
     void follow();
     void clear();
 
 private:
+    bool showDimmed(const std::map<std::string, double>& dimmings);
+
     Workplace& place_;
     std::shared_ptr<const LitProject> of_;             // that was solved
     std::shared_ptr<const SolveResult> solved_, result_;  // as solved; as dimmed now
