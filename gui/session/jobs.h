@@ -15,7 +15,7 @@
 namespace luxdeck::gui {
 
 /// Look: what makes a picture or page visible, quick and often; not worth a word to the user.
-enum class JobKind { Load, Solve, Render, Volume, Furniture, Compare, Report, Save, Look };
+enum class JobKind { Load, Solve, Render, Volume, Furniture, Compare, Report, Save, Look, Import };
 
 /// What a running job says of itself.
 struct JobState {

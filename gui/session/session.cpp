@@ -46,6 +46,8 @@ void Session::close() {
     volumes.clear();
     pictures.clear();
     volumeLight.clear();
+    furnishing.clear();
+    importing.clear();
     place.tell(Change::Document);
     place.tell(Change::Project);
 }
@@ -79,6 +81,7 @@ void Session::arrived(std::shared_ptr<const LitProject> project) {
         if (std::find(known.begin(), known.end(), warning) == known.end()) place.warn(warning);
     solving.follow();
     volumes.follow();
+    furnishing.follow();
     pictures.follow();
     place.tell(Change::Project);
 }

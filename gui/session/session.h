@@ -2,6 +2,8 @@
 
 #include "gui/session/display.h"
 #include "gui/session/document.h"
+#include "gui/session/furnishing.h"
+#include "gui/session/importing.h"
 #include "gui/session/pictures.h"
 #include "gui/session/selection.h"
 #include "gui/session/solving.h"
@@ -74,6 +76,8 @@ public:
     Volumes volumes{place};
     Pictures pictures{place};
     VolumeLight volumeLight{place};
+    Furnishing furnishing{place, volumes};
+    Importing importing{place};
 
 private:
     void load(const std::string& text, bool afterEdit);

@@ -18,6 +18,7 @@ enum class Change {
     Pictures,
     Volumes,
     Comparison,
+    Import,      ///< what dropped files are
     Furniture,   ///< where a moved object is, and its light
     Report,
     Selection,
