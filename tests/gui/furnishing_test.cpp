@@ -43,7 +43,11 @@ protected:
 };
 
 TEST_F(FurnishingTest, TheVerdictChangesInADarkPlaceAndBack) {
-    ASSERT_TRUE(take("Meeting table")) << open_.errors();
+    auto finer = coarse();
+    finer.settings.firstLevel = {21, 14, 6};
+    hand().begin("Meeting table", finer);
+    ASSERT_TRUE(open_.untilIdle());
+    ASSERT_EQ(hand().state(), Furnishing::State::Ready) << open_.errors();
     EXPECT_EQ(hand().requiredBy(), "Meeting table");
     ASSERT_TRUE(hand().requirement().meanAtLeast);
     const auto lit = hand().light();
