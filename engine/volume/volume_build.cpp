@@ -14,11 +14,7 @@
 
 namespace luxdeck {
 
-namespace {
-
-constexpr double kSliceSeconds = 0.3;  // between two reports, and two entries into the store
-
-Result<Lattice> layOut(const Scene& scene, const VolumeSettings& s) {
+Result<Lattice> volumeLattice(const Scene& scene, const VolumeSettings& s) {
     const auto bounds = volumeBounds(scene, s);
     if (!bounds) return bounds.error();
     std::array<int, 3> cells{};
@@ -36,6 +32,10 @@ Result<Lattice> layOut(const Scene& scene, const VolumeSettings& s) {
     if (lattice && divides) divideByGeometry(*lattice, scene);
     return lattice;
 }
+
+namespace {
+
+constexpr double kSliceSeconds = 0.3;  // between two reports, and two entries into the store
 
 /// The largest difference between vertices of a cell in the irradiance along an axis, beyond what noise explains, relative
 /// to what the cell has there. Dark directions are judged on the cell's mean, as dark points of a grid are.
@@ -267,7 +267,7 @@ Result<IrradianceVolume> buildVolume(const TransportScene& scene, const Radiance
                                      const BuildOptions& options, const Progress& progress) {
     const auto sampler = VertexSampler::create(scene, estimator, settings, options.seed);
     if (!sampler) return sampler.error();
-    auto lattice = layOut(scene.scene, settings);
+    auto lattice = volumeLattice(scene.scene, settings);
     if (!lattice) return lattice.error();
     IrradianceVolume volume;
     volume.settings = settings;

@@ -44,6 +44,11 @@ Result<IrradianceVolume> buildVolume(const TransportScene& scene, const Radiance
 /// errors  InvalidArgument: no such volume (the message lists them)
 Result<VolumeSettings> volumeSettingsOf(const Project& project, const std::string& name);
 
+/// The lattice that buildVolume() begins with: all of it, unless cells are divided by light.
+///
+/// errors  InvalidArgument: settings out of range, a scene without extent
+Result<Lattice> volumeLattice(const Scene& scene, const VolumeSettings& settings);
+
 /// Bounds of a volume: those asked for, or those of the scene drawn in by the inset.
 ///
 /// errors  InvalidArgument: nothing has an extent

@@ -1,6 +1,7 @@
 #include "gui/panels/show_panel.h"
 
 #include "gui/panels/text.h"
+#include "gui/session/scene_pick.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -30,12 +31,8 @@ const SectionAxis kSectionAxes[] = {{QT_TR_NOOP("from above"), {0, 0, 1}},     {
 constexpr int kOffsetSteps = 200;  // of the slider, over the scene's extent
 
 /// Half of the scene's extent along a normal [m].
-double reachOf(const Session& session, const Vec3& normal) {
-    if (!session.project()) return 1;
-    const auto box = session.project()->project.scene.bounds();
-    if (box.isEmpty()) return 1;
-    const auto size = box.size();
-    return 0.5 * (std::fabs(normal.x) * size.x + std::fabs(normal.y) * size.y + std::fabs(normal.z) * size.z);
+double reachOf(const Session& session, const Vec3d& normal) {
+    return session.project() ? sectionReachM(session.project()->project.scene.bounds(), normal) : 1;
 }
 
 }  // namespace

@@ -128,6 +128,12 @@ Vec3d sectionPoint(const CutPlane& section, const Box3& bounds) {
     return middle + section.normal * section.offsetM;
 }
 
+double sectionReachM(const Box3& bounds, const Vec3d& normal) {
+    if (bounds.isEmpty()) return 1;
+    const Vec3d size(bounds.size());
+    return 0.5 * (std::abs(normal.x) * size.x + std::abs(normal.y) * size.y + std::abs(normal.z) * size.z);
+}
+
 Picked pick(const Visible& visible, const SightLine& line) {
     const auto all = pickAll(visible, line);
     return all.empty() ? Picked{} : all.front();

@@ -35,6 +35,8 @@ struct Picked {
 
 /// A point of the section plane: what lies beyond it along its normal is cut away.
 Vec3d sectionPoint(const CutPlane& section, const Box3& bounds);
+/// How far a plane may move along its normal from the middle of the bounds and still cut them [m]; 1 for empty bounds.
+double sectionReachM(const Box3& bounds, const Vec3d& normal);
 
 /// The first surface, luminaire or calculation surface on a line of sight that is not hidden or cut away.
 Picked pick(const Visible& visible, const SightLine& line);
