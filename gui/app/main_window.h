@@ -17,6 +17,7 @@ class QTimer;
 
 namespace luxdeck::gui {
 
+class FurniturePanel;
 class PicturePanel;
 class ResultsPanel;
 class ShowPanel;
@@ -60,6 +61,17 @@ private:
     void viewMenu();
     void calculateMenu();
     void helpMenu();
+
+    // window_edits.cpp
+    void insertMenu();
+    void luminaireMenu();
+    void selectionCommands(QMenu* menu);
+    void change(const std::string& what, const Session::Edit& edit);
+    void removeSelected();
+    void switchSelected();
+    void insertLuminaire(const std::string& type);
+    void insertSurface();
+    void import(const QStringList& files);
     enum class Needs { Nothing, Project, Editable };
     struct CommandText {
         const char *name, *text, *keys, *tip;
@@ -81,6 +93,7 @@ private:
     // window_docks.cpp
     void makeWorkspaces();
     void makeDocks();
+    static void showDock(QDockWidget* dock);
     QDockWidget* dock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
     void leaveOutWhatIsNotThere();
     static void leaveOut(QDockWidget* dock, bool out);
@@ -102,10 +115,11 @@ private:
     ResultsPanel* results_;
     ShowPanel* show_;
     SolvePanel* solve_;
+    FurniturePanel* furniture_;
     QLabel* probe_;
     std::vector<QDockWidget*> docks_;
-    QDockWidget* lightingDock_ = nullptr;
-    QMenu *panelsMenu_ = nullptr, *recentMenu_ = nullptr, *namedViewsMenu_ = nullptr;
+    QDockWidget *lightingDock_ = nullptr, *furnitureDock_ = nullptr;
+    QMenu *panelsMenu_ = nullptr, *recentMenu_ = nullptr, *namedViewsMenu_ = nullptr, *luminaireMenu_ = nullptr;
 
     std::vector<QAction*> commands_, needProject_, needEditable_;
     QAction *save_ = nullptr, *undo_ = nullptr, *redo_ = nullptr;

@@ -1,5 +1,6 @@
 #include "gui/app/main_window.h"
 
+#include "gui/panels/furniture_panel.h"
 #include "gui/panels/lighting_panel.h"
 #include "gui/panels/log_panel.h"
 #include "gui/panels/project_tree.h"
@@ -11,6 +12,8 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QScrollArea>
+
+#include <algorithm>
 
 /// The panels around the room, and which of them a project has a use for.
 namespace luxdeck::gui {
@@ -54,8 +57,11 @@ void MainWindow::makeDocks() {
     auto* solve = dock(QStringLiteral("solveDock"), tr("Calculate"), scrolled(solve_), Qt::RightDockWidgetArea);
     auto* show = dock(QStringLiteral("showDock"), tr("Show"), scrolled(show_), Qt::RightDockWidgetArea);
     lightingDock_ = dock(QStringLiteral("lightingDock"), tr("Lighting"), scrolled(new LightingPanel(session_)), Qt::RightDockWidgetArea);
+    furniture_ = new FurniturePanel(session_);
+    furnitureDock_ = dock(QStringLiteral("furnitureDock"), tr("Furniture"), scrolled(furniture_), Qt::RightDockWidgetArea);
     room_->tabifyDockWidget(solve, show);
     room_->tabifyDockWidget(show, lightingDock_);
+    room_->tabifyDockWidget(lightingDock_, furnitureDock_);
     solve->raise();
     auto* results = dock(QStringLiteral("resultsDock"), tr("Results"), results_, Qt::BottomDockWidgetArea);
     auto* log = dock(QStringLiteral("logDock"), tr("Log"), new LogPanel(session_), Qt::BottomDockWidgetArea);
@@ -69,6 +75,13 @@ void MainWindow::makeDocks() {
 void MainWindow::leaveOutWhatIsNotThere() {
     const auto loaded = session_.project();
     leaveOut(lightingDock_, !loaded || loaded->project.scene.luminaires.empty());
+    const auto movable = [](const SceneObject& object) { return object.movable; };
+    leaveOut(furnitureDock_, !loaded || std::none_of(loaded->project.scene.objects.begin(), loaded->project.scene.objects.end(), movable));
+}
+
+void MainWindow::showDock(QDockWidget* dock) {
+    dock->show();
+    dock->raise();
 }
 
 void MainWindow::leaveOut(QDockWidget* dock, bool out) {

@@ -106,10 +106,14 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    for (const auto& url : event->mimeData()->urls()) {
-        const auto file = url.toLocalFile();
-        if (QFileInfo(file).suffix().toLower() == QLatin1String("toml") || !session_.project()) return open(file);
-    }
+    QStringList files;
+    for (const auto& url : event->mimeData()->urls())
+        if (url.isLocalFile()) files << url.toLocalFile();
+    if (files.isEmpty()) return;
+    event->acceptProposedAction();
+    const bool project = QFileInfo(files.front()).suffix().toLower() == QLatin1String("toml");
+    if (project || !session_.project()) open(files.front());
+    else import(files);
 }
 
 }  // namespace luxdeck::gui

@@ -46,6 +46,7 @@ QAction* MainWindow::choice(QMenu* menu, QActionGroup* group, const CommandText&
 void MainWindow::makeMenus() {
     fileMenu();
     editMenu();
+    insertMenu();
     viewMenu();
     calculateMenu();
     helpMenu();
@@ -82,6 +83,8 @@ void MainWindow::editMenu() {
     auto* menu = menuBar()->addMenu(tr("&Edit"));
     undo_ = command(menu, Needs::Editable, {"undo", "&Undo", "Ctrl+Z", "Takes back the last change of the project"}, [this] { session_.undo(); });
     redo_ = command(menu, Needs::Editable, {"redo", "&Redo", "Ctrl+Shift+Z", "Does again what was taken back"}, [this] { session_.redo(); });
+    menu->addSeparator();
+    selectionCommands(menu);
     menu->addSeparator();
     command(menu, Needs::Project, {"copyResults", "&Copy results", "Ctrl+Shift+C", "All points as a table, for a spreadsheet"}, [this] { QApplication::clipboard()->setText(results_->csv()); });
 }

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "gui/session/session.h"
+
+#include <QDialog>
+
+class QComboBox;
+class QDialogButtonBox;
+class QLabel;
+class QVBoxLayout;
+
+namespace luxdeck::gui {
+
+/// What files that were dropped are, what the doctor found in them, and what is to be done with each. Nothing is changed
+/// until a button is pressed.
+class ImportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// Looks at the files (session.importing) and shows what is found when it is there.
+    ImportDialog(Session& session, const std::vector<std::filesystem::path>& files, QWidget* parent);
+
+private:
+    void showFound();
+    QWidget* card(const ImportedFile& file);
+    void offerPhotometry(const ImportedFile& file, QVBoxLayout* into);
+    void offerGeometry(const ImportedFile& file, QVBoxLayout* into);
+    void offerVolume(const ImportedFile& file, QVBoxLayout* into);
+    void exchange(const std::filesystem::path& file, const std::string& type);
+    void addType(const ImportedFile& file);
+    void done(const Result<void>& result, QWidget* button);
+
+    Session& session_;
+    QLabel* wait_;
+    QVBoxLayout* cards_;
+};
+
+}  // namespace luxdeck::gui
