@@ -25,7 +25,7 @@ constexpr int kRestMs = 120;      // after the last motion texts are looked thro
 }  // namespace
 
 SceneView::SceneView(Session& session, const SharedScene& shared, std::size_t index, QWidget* parent)
-    : QVTKOpenGLNativeWidget(parent), session_(session), shared_(shared), index_(index), overlay_(new ViewOverlay(this)) {
+    : QVTKOpenGLNativeWidget(parent), session_(session), shared_(shared), index_(index), overlay_(new ViewOverlay(this)), gizmo_([this](const Vec3d& p) { return overlay_->pixelOf(p); }) {
     setObjectName(QStringLiteral("sceneView%1").arg(index + 1));
     setAccessibleName(tr("View %1 of the room").arg(index + 1));
     setFocusPolicy(Qt::StrongFocus);
@@ -50,6 +50,7 @@ SceneView::SceneView(Session& session, const SharedScene& shared, std::size_t in
     layers_.push_back(std::make_unique<LatticeLayer>(*renderer_));
     layers_.push_back(std::make_unique<GlyphLayer>(*renderer_));
 
+    overlay_->setPainter([this](QPainter& painter) { gizmo_.paint(painter, ViewColours::of(palette())); });
     navigator_ = std::make_unique<Navigator>(navigatorPlace());
     render_.setSingleShot(true);
     render_.setInterval(0);
@@ -105,7 +106,7 @@ Visible SceneView::visible() const {
     return visible;
 }
 
-Picked SceneView::pickedAt(QPoint at) const { return pick(visible(), sightLine(pose_, aspect(), screenOf(at))); }
+Picked SceneView::pickedAt(QPoint at) const { return pick(visible(), lineAt(at)); }
 
 Layer::Range SceneView::lightRange() {
     Layer::Range all;
@@ -123,6 +124,7 @@ void SceneView::refresh(const ResolvedScale& scale) {
     changed |= room_->hideSides(visible().hiddenSides);
     navigator_->setNavigation(session_.display().navigation);
     overlay_->setHint(hint());
+    aimGizmo();
     if (!changed) return;
     renderer_->ResetCameraClippingRange();
     requestRender();
@@ -134,6 +136,7 @@ void SceneView::setPose(const CameraPose& pose) {
     room_->hideSides(visible().hiddenSides);
     overlay_->setPose(pose_);
     overlay_->setHint(hint());
+    aimGizmo();
     applyPose();
     requestRender();
     rest_.start();
@@ -173,8 +176,15 @@ void SceneView::reannotate() {
     overlay_->setAnnotations(std::move(annotations), std::move(seen));
 }
 
-QImage SceneView::picture() {
+void SceneView::finish() {
     renderNow();
+    if (!rest_.isActive()) return;
+    rest_.stop();
+    reannotate();
+}
+
+QImage SceneView::picture() {
+    finish();
     return grab().toImage();
 }
 
@@ -221,21 +231,30 @@ bool SceneView::event(QEvent* event) {
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
     emit pressed();
-    navigator_->press(*event);
+    const auto handle = event->button() == Qt::LeftButton ? gizmo_.handleAt(event->pos()) : Handle::None;
+    if (handle == Handle::None) return navigator_->press(*event);
+    gizmo_.begin(handle, lineAt(event->pos()));
+    overlay_->update();
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
+    if (gizmo_.dragging()) return dragGizmo(*event);
     navigator_->drag(*event);
-    if (!navigator_->moving()) emit hovered(pickedAt(event->pos()), event->pos());
+    if (navigator_->moving()) return;
+    const auto handle = gizmo_.handleAt(event->pos());
+    if (gizmo_.setHot(handle)) overlay_->update();
+    setCursor(handle == Handle::None ? Qt::ArrowCursor : Qt::OpenHandCursor);
+    emit hovered(pickedAt(event->pos()), event->pos());
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+    if (gizmo_.dragging() && event->button() == Qt::LeftButton) return endGizmo(true);
     if (navigator_->release(*event) && event->button() == Qt::LeftButton) select(event->pos());
 }
 
 /// The first thing under the cursor; clicked again at the same place, what lies behind it.
 void SceneView::select(QPoint at) {
-    const auto things = pickAll(visible(), sightLine(pose_, aspect(), screenOf(at)));
+    const auto things = pickAll(visible(), lineAt(at));
     const bool again = (at - lastClick_).manhattanLength() <= kSamePlacePixels;
     clickDepth_ = again ? clickDepth_ + 1 : 0;
     lastClick_ = at;
@@ -248,6 +267,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 }
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
+    if (gizmo_.dragging() && event->key() == Qt::Key_Escape) return endGizmo(false);
     if (navigator_->keyDown(*event)) return;
     const auto commands = {Qt::Key_F, Qt::Key_Home, Qt::Key_1, Qt::Key_3, Qt::Key_7, Qt::Key_L};
     if (event->modifiers() == Qt::NoModifier && std::find(commands.begin(), commands.end(), event->key()) != commands.end()) {

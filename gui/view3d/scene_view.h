@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gui/session/scene_pick.h"
+#include "gui/view3d/gizmo.h"
 #include "gui/view3d/layer.h"
 #include "gui/view3d/navigator.h"
 #include "gui/view3d/shared_scene.h"
@@ -45,8 +46,11 @@ public:
     [[nodiscard]] double aspect() const;
     /// The view as it is on the screen.
     [[nodiscard]] QImage picture();
-    /// What has been asked for is rendered at once, not when the event loop comes to it.
-    void renderNow();
+    /// What has been asked for is done at once, not when the event loop comes to it.
+    void finish();
+    /// Shows the selected object or luminaire this far from where the project has it; only there, until the project changes.
+    void placeSelected(const GizmoMotion& motion);
+    [[nodiscard]] const Gizmo& gizmo() const { return gizmo_; }
     void setFramed(bool framed);
     [[nodiscard]] const ViewSettings& settings() const;
     /// What is shown here, for picking.
@@ -65,6 +69,8 @@ signals:
     void keyCommand(int key);
     /// What is under the cursor has changed; nothing is picked when it has left.
     void hovered(const luxdeck::gui::Picked& picked, QPoint at);
+    /// The selected thing is moved by its handles; `done` when the hand lets go.
+    void dragged(const luxdeck::gui::GizmoMotion& motion, bool done);
 
 protected:
     bool event(QEvent* event) override;
@@ -85,6 +91,12 @@ private:
     void applyPalette();
     void applyPose();
     void requestRender();
+    void renderNow();
+    void aimGizmo();
+    [[nodiscard]] std::optional<Gizmo::Target> gizmoTarget() const;
+    void dragGizmo(const QMouseEvent& event);
+    void endGizmo(bool keep);
+    [[nodiscard]] SightLine lineAt(QPoint at) const { return sightLine(pose_, aspect(), screenOf(at)); }
     void reannotate();
     void select(QPoint at);
     [[nodiscard]] QString hint() const;
@@ -99,6 +111,7 @@ private:
     GridLayer* grids_ = nullptr;
     std::vector<std::unique_ptr<Layer>> layers_;
     ViewOverlay* overlay_;
+    Gizmo gizmo_;
     std::unique_ptr<Navigator> navigator_;
     QTimer render_, rest_;
     QPoint lastClick_{-100, -100};

@@ -70,6 +70,7 @@ void ViewArea::arrange() {
         connect(view, &SceneView::pressed, this, [this, index] { setActiveView(index); });
         connect(view, &SceneView::keyCommand, this, &ViewArea::keyCommand);
         connect(view, &SceneView::hovered, this, [this, index](const Picked& picked, QPoint at) { hovered(index, picked, at); });
+        connect(view, &SceneView::dragged, this, &ViewArea::dragged);
         views_.push_back(view);
     }
     const std::size_t inFirstRow = count <= 2 ? count : 2;
@@ -143,7 +144,7 @@ View ViewArea::cameraAsView(const std::string& name) const {
 }
 
 QImage ViewArea::picture() {
-    for (auto* view : views_) view->renderNow();
+    for (auto* view : views_) view->finish();
     return grab().toImage();
 }
 
@@ -160,6 +161,17 @@ void ViewArea::keyCommand(int key) {
     lastProjectView_ = lastProjectView_ % shared_.project->project.views.size();
     goTo(shared_.project->project.views[lastProjectView_]);
     ++lastProjectView_;
+}
+
+void ViewArea::dragged(const GizmoMotion& motion, bool done) {
+    for (auto* view : views_) view->placeSelected(motion);
+    const auto& [thing, index] = session_.selection();
+    if (thing == Thing::Luminaire) emit luminaireDragged(static_cast<int>(index), motion.moveM, done);
+    if (thing == Thing::Object) emit objectDragged(QString::fromStdString(shared_.project->project.scene.objects[index].name), motion.moveM, motion.turnDeg, done);
+}
+
+void ViewArea::showSelectedAt(const Vec3d& moveM, double turnDeg) {
+    for (auto* view : views_) view->placeSelected({moveM, turnDeg});
 }
 
 void ViewArea::hovered(std::size_t index, const Picked& picked, QPoint at) {

@@ -16,6 +16,7 @@ namespace luxdeck::gui {
 
 class LegendBar;
 class SceneView;
+struct GizmoMotion;
 struct Picked;
 
 /// The middle of the window: one to four views of the project (as many as session.views()), and the one legend that they
@@ -43,6 +44,10 @@ public:
     [[nodiscard]] CameraPose pose() const;
     void setPose(const CameraPose& pose);
 
+    /// Shows the selected object or luminaire so far from where the project has it, until the project changes; nowhere else:
+    /// back where it was (an edit that was refused).
+    void showSelectedAt(const Vec3d& moveM = {0, 0, 0}, double turnDeg = 0);
+
     /// All views and the legend as they are on the screen.
     [[nodiscard]] QImage picture();
     [[nodiscard]] SceneView& view(std::size_t index) { return *views_[index]; }
@@ -54,6 +59,11 @@ signals:
     /// What is under the cursor, in words with units; empty when there is nothing.
     void probed(const QString& reading);
     void activeChanged(int index);
+    /// The selected piece of furniture is moved by its handles: so far from where the project has it, turned about its pivot
+    /// (as Pose). Views show it there already; `done` when the hand lets go. No motion: it was put back.
+    void objectDragged(const QString& name, const luxdeck::Vec3d& moveM, double turnDeg, bool done);
+    /// The same of a luminaire, by its index in the scene.
+    void luminaireDragged(int index, const luxdeck::Vec3d& moveM, bool done);
 
 private:
     void heard(Change change);
@@ -62,6 +72,7 @@ private:
     void refresh();
     void link(std::size_t from);
     void keyCommand(int key);
+    void dragged(const GizmoMotion& motion, bool done);
     void hovered(std::size_t index, const Picked& picked, QPoint at);
 
     Session& session_;
