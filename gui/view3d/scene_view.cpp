@@ -294,6 +294,7 @@ void SceneView::leaveEvent(QEvent* event) {
 void SceneView::resizeEvent(QResizeEvent* event) {
     QVTKOpenGLNativeWidget::resizeEvent(event);
     overlay_->setGeometry(rect());
+    aimGizmo();
     requestRender();
     rest_.start();
 }
