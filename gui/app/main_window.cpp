@@ -5,6 +5,7 @@
 #include "gui/panels/picture_panel.h"
 #include "gui/panels/show_panel.h"
 #include "gui/panels/text.h"
+#include "gui/panels/volume_panel.h"
 #include "gui/view3d/view_area.h"
 
 #include <QApplication>
@@ -67,7 +68,10 @@ void MainWindow::makeWorkspaces() {
     workspaces_->addTab(room_, tr("Room"));
     workspaces_->addTab(picture_, tr("Pictures"));
     connect(views_, &ViewArea::probed, probe_, &QLabel::setText);
-    connect(views_, &ViewArea::activeChanged, this, [this](int index) { show_->setView(static_cast<std::size_t>(index)); });
+    connect(views_, &ViewArea::activeChanged, this, [this](int index) {
+        show_->setView(static_cast<std::size_t>(index));
+        volume_->setView(static_cast<std::size_t>(index));
+    });
     connect(picture_, &PicturePanel::failed, this, [this](const QString& why) { session_.place.complain({ErrorCode::InvalidArgument, why.toStdString(), {}}); });
 }
 

@@ -24,6 +24,7 @@ class ShowPanel;
 class SolvePanel;
 class StartPage;
 class ViewArea;
+class VolumePanel;
 
 /// The window: a room in the middle, docks around it, everything reachable by menu and key. What happens is the session's;
 /// this class arranges.
@@ -116,9 +117,10 @@ private:
     ShowPanel* show_;
     SolvePanel* solve_;
     FurniturePanel* furniture_;
+    VolumePanel* volume_;
     QLabel* probe_;
     std::vector<QDockWidget*> docks_;
-    QDockWidget *lightingDock_ = nullptr, *furnitureDock_ = nullptr;
+    QDockWidget *lightingDock_ = nullptr, *furnitureDock_ = nullptr, *volumeDock_ = nullptr;
     QMenu *panelsMenu_ = nullptr, *recentMenu_ = nullptr, *namedViewsMenu_ = nullptr, *luminaireMenu_ = nullptr;
 
     std::vector<QAction*> commands_, needProject_, needEditable_;

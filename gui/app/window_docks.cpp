@@ -7,6 +7,7 @@
 #include "gui/panels/results_panel.h"
 #include "gui/panels/show_panel.h"
 #include "gui/panels/solve_panel.h"
+#include "gui/panels/volume_panel.h"
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -59,16 +60,19 @@ void MainWindow::makeDocks() {
     lightingDock_ = dock(QStringLiteral("lightingDock"), tr("Lighting"), scrolled(new LightingPanel(session_)), Qt::RightDockWidgetArea);
     furniture_ = new FurniturePanel(session_);
     furnitureDock_ = dock(QStringLiteral("furnitureDock"), tr("Furniture"), scrolled(furniture_), Qt::RightDockWidgetArea);
+    volume_ = new VolumePanel(session_);
+    volumeDock_ = dock(QStringLiteral("volumeDock"), tr("Volume"), scrolled(volume_), Qt::RightDockWidgetArea);
     room_->tabifyDockWidget(solve, show);
     room_->tabifyDockWidget(show, lightingDock_);
     room_->tabifyDockWidget(lightingDock_, furnitureDock_);
+    room_->tabifyDockWidget(furnitureDock_, volumeDock_);
     solve->raise();
     auto* results = dock(QStringLiteral("resultsDock"), tr("Results"), results_, Qt::BottomDockWidgetArea);
     auto* log = dock(QStringLiteral("logDock"), tr("Log"), new LogPanel(session_), Qt::BottomDockWidgetArea);
     room_->tabifyDockWidget(results, log);
     results->raise();
     room_->resizeDocks({results}, {kResultsHeight}, Qt::Vertical);
-    room_->resizeDocks({docks_.front(), solve}, {kSideWidth, kSideWidth + 20}, Qt::Horizontal);
+    room_->resizeDocks({docks_.front(), solve}, {kSideWidth, kSideWidth + 60}, Qt::Horizontal);
 }
 
 /// What the project lacks has no panel: no volumes, no panel of volumes.

@@ -4,6 +4,7 @@
 #include "gui/panels/picture_panel.h"
 #include "gui/panels/results_panel.h"
 #include "gui/panels/solve_panel.h"
+#include "gui/panels/volume_panel.h"
 #include "gui/view3d/view_area.h"
 
 #include "engine/core/version.h"
@@ -189,6 +190,10 @@ void MainWindow::calculateMenu() {
     command(menu, Needs::Project, {"render", "&Render picture", "F12", "The chosen view, as the page Pictures says"}, [this] {
         showWorkspace(Workspace::Picture);
         picture_->render();
+    });
+    command(menu, Needs::Project, {"buildVolume", "Build &volume", "F9", "The light at any point and direction, as the panel Volume says"}, [this] {
+        showDock(volumeDock_);
+        volume_->build();
     });
     command(menu, Needs::Nothing, {"stopAll", "S&top everything", "Ctrl+.", "Cancels all background work; what is known is kept"}, [this] { session_.place.jobs.cancelAll(); });
 }

@@ -1,5 +1,6 @@
 #include "tests/gui/screenshots/scenes.h"
 
+#include "gui/panels/import_dialog.h"
 #include "gui/view3d/view_area.h"
 #include "tests/gui/screenshots/stage.h"
 
@@ -28,6 +29,66 @@ bool walkingIn(Stage& stage) {
     return true;
 }
 
+/// The project's volume at once, small enough to be made in seconds.
+bool buildVolume(Stage& stage) {
+    VolumeRequest request;
+    const auto settings = volumeSettingsOf(stage.session().project()->project, "");
+    if (!settings) return false;
+    request.settings = *settings;
+    stage.session().volumes.build(request);
+    return stage.window.untilIdle() && stage.session().volumes.shown() != nullptr;
+}
+
+bool glyphs(Stage& stage) {
+    if (!stage.open("office") || !buildVolume(stage)) return false;
+    stage.view([](ViewSettings& view) {
+        view.glyphs = true;
+        view.grids = false;
+    });
+    stage.window.find<QDockWidget>("volumeDock")->raise();
+    return true;
+}
+
+bool directAgainstIndirect(Stage& stage) {
+    if (!stage.open("office") || !buildVolume(stage)) return false;
+    stage.session().setViewCount(2);
+    for (std::size_t i = 0; i < 2; ++i)
+        stage.view([&](ViewSettings& view) {
+            view.glyphs = true;
+            view.grids = false;
+            view.part = i == 0 ? LightPart::Direct : LightPart::Indirect;
+        }, i);
+    stage.window.find<QDockWidget>("volumeDock")->raise();
+    return true;
+}
+
+bool lighting(Stage& stage) {
+    if (!stage.open("gallery") || !stage.solve(0.03, true)) return false;
+    stage.window.find<QDockWidget>("lightingDock")->raise();
+    return true;
+}
+
+bool furniture(Stage& stage) {
+    if (!stage.open("office") || !stage.solve(0.03)) return false;
+    stage.session().furnishing.begin("Meeting table");
+    if (!stage.window.untilIdle()) return false;
+    Pose pose;
+    pose.moveM = Vec3(-3, -1.2F, 0);
+    stage.session().furnishing.moveTo(pose);
+    auto* dock = stage.window.find<QDockWidget>("furnitureDock");
+    dock->show();
+    dock->raise();
+    return true;
+}
+
+bool importing(Stage& stage) {
+    if (!stage.open("office")) return false;
+    auto* dialog = new ImportDialog(stage.session(), {stage.folder.path() / "office" / "luminaires" / "a_panel.ies"}, stage.window.window.get());
+    dialog->open();
+    stage.subject = dialog;
+    return stage.window.untilIdle();
+}
+
 bool shortcuts(Stage& stage) {
     stage.window.command("shortcuts");
     stage.settle();
@@ -42,6 +103,11 @@ const std::vector<ScreenshotScene>& screenshotScenes() {
         {"start-page", startPage},
         {"room", room},
         {"inside", walkingIn},
+        {"glyphs", glyphs},
+        {"direct-indirect", directAgainstIndirect},
+        {"lighting", lighting},
+        {"furniture", furniture},
+        {"import", importing},
         {"shortcuts", shortcuts},
     };
     return scenes;
