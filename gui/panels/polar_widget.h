@@ -12,7 +12,7 @@ class PolarWidget : public QWidget {
 public:
     PolarWidget(const CandelaTable& table, QWidget* parent);
 
-    [[nodiscard]] QSize sizeHint() const override { return {220, 200}; }
+    [[nodiscard]] QSize sizeHint() const override { return {240, 240}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -61,7 +61,7 @@ PropertyForm* PropertiesPanel::typeForm(const Project& project, std::size_t inde
                                                          : tr("%1 lm, none declared").arg(photometry.table.lumens(), 0, 'f', 0));
     rows->fact(tr("Power"), efficacyText(type));
     const auto all = edits::luminairesOfType(project, index);
-    rows->fact(tr("Used"), tr("%n luminaire(s)", nullptr, static_cast<int>(all.size())));
+    rows->fact(tr("Used"), all.size() == 1 ? tr("one luminaire") : tr("%1 luminaires").arg(all.size()));
     if (!all.empty()) {
         // Of all together: that of the first, where they differ.
         rows->dimming(project.scene.luminaires[all.front()].dimming, [this, all, id = qt(type.id)](double v) {

@@ -70,8 +70,8 @@ PropertyForm* PropertiesPanel::gridForm(const Project& project, std::size_t inde
         const auto& units = session_.display().units;
         PropertyForm::Range length;
         length.low = 0, length.high = 1000, length.unit = QString::fromUtf8(units.lengthUnit());
+        length.least = grid.counts ? tr("%1 x %2 points").arg((*grid.counts)[0]).arg((*grid.counts)[1]) : tr("as EN 12464-1 has it");
         rows->number({tr("Spacing"), "gridSpacing"}, units.lengthOf(grid.spacingM.value_or(0)), length, [=](double v) { edits::GridChange c; c.spacingM = units.metres(v); edit(c); });
-        if (!grid.spacingM) rows->note(grid.counts ? tr("%1 x %2 points").arg((*grid.counts)[0]).arg((*grid.counts)[1]) : tr("Spacing as EN 12464-1 has it"));
     } else {
         rows->fact(tr("Points"), QString::number(grid.points.size()));
     }
@@ -136,31 +136,16 @@ PropertyForm* PropertiesPanel::objectForm(const Project& project, std::size_t in
     return rows;
 }
 
+/// Where its light is from when it moves; all else of it is the furniture panel's.
 void PropertiesPanel::addFurnishing(PropertyForm& rows, const std::string& object) {
-    auto& hand = session_.furnishing;
-    const bool inHand = hand.object() == object;
+    const auto& hand = session_.furnishing;
     rows.heading(tr("Light while it is moved"));
-    if (!inHand || hand.state() == Furnishing::State::Idle) {
-        rows.button({tr("Move with light"), "moveWithLight"}, tr("Its illuminance then follows each move. The light of the room without it is calculated first, once"), [this, object] { session_.furnishing.begin(object); });
+    if (hand.object() == object && hand.state() == Furnishing::State::Ready) {
+        rows.note(qt(hand.statement(session_.display().units)))->setObjectName(QStringLiteral("furnitureStatement"));
         return;
     }
-    if (hand.state() == Furnishing::State::Preparing) {
-        rows.note(tr("The light of the room without it is being calculated."));
-        rows.button({tr("Stop"), "stopFurniture"}, tr("Leaves it as it is"), [this] { session_.furnishing.cancel(); });
-        return;
-    }
-    rows.note(qt(hand.statement(session_.display().units)))->setObjectName(QStringLiteral("furnitureStatement"));
-    if (!hand.requiredBy().empty()) rows.note(tr("Required by %1").arg(qt(hand.requiredBy())));
-    rows.button({tr("Leave it here"), "commitFurniture"}, tr("Writes its new place into the project"), [this] {
-        if (const auto done = session_.furnishing.commit(session_); !done) say(qt(done.error().text()));
-    });
-    rows.button({tr("Put it back"), "cancelFurniture"}, tr("Leaves it where it was"), [this] { session_.furnishing.cancel(); });
-    rows.button({tr("What does it take from the room?"), "estimateRoom"}, tr("How much less light the calculation surfaces get because of it, to first order"), [this] { session_.furnishing.estimateRoom(); });
-    const auto& change = hand.roomChange();
-    if (!change) return;
-    const auto& units = session_.display().units;
-    for (const auto& grid : change->estimated) rows.fact(qt(grid.name), tr("%1 less").arg(qt(units.illuminanceText(grid.mean.taken()))));
-    if (!hand.roomChangeCurrent()) rows.note(tr("Of where it stood before."));
+    auto* button = rows.button({tr("Move with light"), "moveWithLight"}, tr("Its illuminance then follows each move. The light of the room without it is calculated first, once"), [this, object] { session_.furnishing.begin(object); });
+    button->setEnabled(hand.object() != object || hand.state() == Furnishing::State::Idle);
 }
 
 PropertyForm* PropertiesPanel::materialForm(const Project& project, std::size_t index) {

@@ -29,6 +29,7 @@ QDoubleSpinBox* spinBox(double value, const PropertyForm::Range& range, const st
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setMinimumWidth(56);
     if (!range.unit.isEmpty()) box->setSuffix(QStringLiteral(" ") + range.unit);
+    box->setSpecialValueText(range.least);
     box->setValue(value);
     auto told = std::make_shared<double>(box->value());
     QObject::connect(box, &QDoubleSpinBox::editingFinished, box, [box, told, changed] {
@@ -43,7 +44,7 @@ QDoubleSpinBox* spinBox(double value, const PropertyForm::Range& range, const st
 
 PropertyForm::PropertyForm(const QString& title, const QString& kind, const Units& units, QWidget* parent)
     : QWidget(parent), units_(units), rows_(new QFormLayout(this)) {
-    rows_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    rows_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     rows_->setRowWrapPolicy(QFormLayout::WrapLongRows);
     auto* name = new QLabel(title, this);
     name->setObjectName(QStringLiteral("propertyTitle"));

@@ -24,6 +24,7 @@ public:
         double low = -1e6, high = 1e6, step = 0.1;
         int decimals = 3;
         QString unit;
+        QString least{};  ///< what the lowest value is called
     };
     /// A field's label and the name that tests and shortcuts know it by.
     struct Field {

@@ -27,7 +27,7 @@ struct RoomChange {
 ///
 ///     session.furnishing.begin("Desk 03");          // prepared in the background: once a room, some seconds to a minute
 ///     ... until state() == State::Ready
-///     session.furnishing.moveTo(snapped(pose, ...));  // at each move of the hand: ~3 ms
+///     session.furnishing.moveTo(pose);  // at each move of the hand: ~3 ms
 ///     session.furnishing.commit(session);           // or cancel()
 ///
 /// While an object is in hand, views draw lighting()->object() at lighting()->placement() with lighting()->lux(), instead of the

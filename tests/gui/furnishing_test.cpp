@@ -1,15 +1,12 @@
 // Furniture in hand: its light follows, and what is left in the project is where it was shown.
 #include "gui/session/furnishing.h"
-#include "gui/session/snapping.h"
 
 #include "tests/gui/open_session.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <string>
-#include <vector>
 
 namespace luxdeck::gui {
 namespace {
@@ -136,15 +133,6 @@ TEST_F(FurnishingTest, WhatIsNotThereIsSaidAndWhatIsClosedIsLeft) {
     ASSERT_TRUE(open_.untilIdle());
     EXPECT_EQ(hand().state(), Furnishing::State::Idle);
     EXPECT_TRUE(open_.session.volumes.all().empty());
-}
-
-TEST(Snapping, PutsThePivotOnTheGridAlongTheAxesThatItMoves) {
-    const auto pose = snapped({{0.234, 0, -0.02}, 38}, {1.05, 2.07, 0});
-    EXPECT_NEAR(1.05 + pose.moveM.x, 1.3, 1e-12);
-    EXPECT_EQ(pose.moveM.y, 0);
-    EXPECT_NEAR(pose.moveM.z, 0, 1e-12);
-    EXPECT_EQ(pose.turnDeg, 45);
-    EXPECT_EQ(snapped({{0, 0, 0}, -7}, {1, 1, 1}).turnDeg, 0);
 }
 
 }  // namespace

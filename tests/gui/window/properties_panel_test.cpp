@@ -21,6 +21,7 @@ using testing::HasSubstr;
 class PropertiesPanelTest : public testing::Test {
 protected:
     void SetUp() override {
+        applyTheme(*qApp, Theme::Light);
         ASSERT_TRUE(open_.open(folder_.sample("office"))) << open_.errors();
         panel_ = std::make_unique<PropertiesPanel>(open_.session);
         panel_->resize(360, 780);
