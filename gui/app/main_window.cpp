@@ -6,6 +6,7 @@
 #include "gui/panels/show_panel.h"
 #include "gui/panels/text.h"
 #include "gui/panels/volume_panel.h"
+#include "gui/session/edits.h"
 #include "gui/view3d/view_area.h"
 
 #include <QApplication>
@@ -71,6 +72,10 @@ void MainWindow::makeWorkspaces() {
     connect(views_, &ViewArea::activeChanged, this, [this](int index) {
         show_->setView(static_cast<std::size_t>(index));
         volume_->setView(static_cast<std::size_t>(index));
+    });
+    connect(views_, &ViewArea::objectDragged, this, [this](const QString& name, const Vec3d& moveM, double turnDeg, bool done) { drag(name.toStdString(), {moveM, turnDeg}, done); });
+    connect(views_, &ViewArea::luminaireDragged, this, [this](int index, const Vec3d& moveM, bool done) {
+        if (done && moveM != Vec3d(0, 0, 0)) change("Move luminaire", edits::changeLuminaires(session_.project(), {static_cast<std::size_t>(index)}, {.moveBy = moveM}));
     });
     connect(picture_, &PicturePanel::failed, this, [this](const QString& why) { session_.place.complain({ErrorCode::InvalidArgument, why.toStdString(), {}}); });
 }

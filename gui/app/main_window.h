@@ -68,6 +68,7 @@ private:
     void luminaireMenu();
     void selectionCommands(QMenu* menu);
     void change(const std::string& what, const Session::Edit& edit);
+    void drag(const std::string& object, const Pose& pose, bool done);
     void removeSelected();
     void switchSelected();
     void insertLuminaire(const std::string& type);

@@ -56,7 +56,7 @@ QToolBar { border: none; padding: 1px 6px; spacing: 2px; }
 QStatusBar { border-top: 1px solid @line; }
 QStatusBar::item { border: none; }
 QTabWidget::pane { border: none; border-top: 1px solid @line; }
-QTabBar::tab { padding: 7px 14px; border: none; border-bottom: 2px solid transparent; color: @quiet; }
+QTabBar::tab { padding: 7px 9px; border: none; border-bottom: 2px solid transparent; color: @quiet; }
 QTabBar::tab:selected { border-bottom-color: @accent; color: @text; }
 QTabBar::tab:hover { color: @text; }
 QHeaderView::section { background: @window; border: none; border-bottom: 1px solid @line; padding: 5px 8px; color: @quiet; }
@@ -86,6 +86,7 @@ QProgressBar::chunk { border-radius: 3px; background: @accent; }
 QGroupBox { border: none; margin-top: 18px; font-weight: 600; }
 QGroupBox::title { subcontrol-origin: margin; left: 0; padding: 2px 0; }
 QScrollArea { border: none; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 )");
     sheet.replace(QLatin1String("@theme"), theme == Theme::Dark ? QLatin1String("dark") : QLatin1String("light"));
     const std::pair<const char*, QColor> names[] = {{"@line", c.line}, {"@window", c.window}, {"@accent", c.accent}, {"@onAccent", c.onAccent},

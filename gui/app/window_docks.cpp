@@ -13,6 +13,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QScrollArea>
+#include <QStyle>
 
 #include <algorithm>
 
@@ -21,7 +22,7 @@ namespace luxdeck::gui {
 
 namespace {
 
-constexpr int kResultsHeight = 230, kSideWidth = 270;
+constexpr int kResultsHeight = 210, kSideWidth = 270;
 
 QWidget* scrolled(QWidget* content) {
     auto* area = new QScrollArea;
@@ -33,6 +34,7 @@ QWidget* scrolled(QWidget* content) {
         choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         choice->setMinimumContentsLength(6);
     }
+    area->setMinimumWidth(content->minimumSizeHint().width() + area->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
     return area;
 }
 
@@ -55,7 +57,7 @@ void MainWindow::makeDocks() {
     show_ = new ShowPanel(session_);
     solve_ = new SolvePanel(session_);
     dock(QStringLiteral("projectDock"), tr("Project"), tree, Qt::LeftDockWidgetArea);
-    auto* solve = dock(QStringLiteral("solveDock"), tr("Calculate"), scrolled(solve_), Qt::RightDockWidgetArea);
+    auto* solve = dock(QStringLiteral("solveDock"), tr("Solve"), scrolled(solve_), Qt::RightDockWidgetArea);
     auto* show = dock(QStringLiteral("showDock"), tr("Show"), scrolled(show_), Qt::RightDockWidgetArea);
     lightingDock_ = dock(QStringLiteral("lightingDock"), tr("Lighting"), scrolled(new LightingPanel(session_)), Qt::RightDockWidgetArea);
     furniture_ = new FurniturePanel(session_);

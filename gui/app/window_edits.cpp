@@ -30,6 +30,13 @@ void MainWindow::change(const std::string& what, const Session::Edit& edit) {
     if (const auto done = session_.edit(what, edit); !done) session_.place.complain(done.error());
 }
 
+void MainWindow::drag(const std::string& object, const Pose& pose, bool done) {
+    auto& hand = session_.furnishing;
+    // In hand it stays in hand until it is left somewhere; otherwise letting go is the edit.
+    if (hand.state() == Furnishing::State::Ready && hand.object() == object) return hand.moveTo(pose);
+    if (done && !(pose == Pose{})) change("Move " + object, edits::moveObject(session_.project(), object, pose));
+}
+
 void MainWindow::selectionCommands(QMenu* menu) {
     command(menu, Needs::Editable, {"duplicate", "&Duplicate luminaire", "Ctrl+D", "A copy beside the selected luminaire"}, [this] {
         const auto& selection = session_.selection();

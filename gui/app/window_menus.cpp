@@ -186,7 +186,7 @@ void MainWindow::namedViewsMenu() {
 
 void MainWindow::calculateMenu() {
     auto* menu = menuBar()->addMenu(tr("&Calculate"));
-    command(menu, Needs::Project, {"solve", "&Solve", "F5", "Illuminance on all calculation surfaces, as the panel Calculate says"}, [this] { solve_->start(); });
+    command(menu, Needs::Project, {"solve", "&Solve", "F5", "Illuminance on all calculation surfaces, as the panel Solve says"}, [this] { solve_->start(); });
     command(menu, Needs::Project, {"render", "&Render picture", "F12", "The chosen view, as the page Pictures says"}, [this] {
         showWorkspace(Workspace::Picture);
         picture_->render();

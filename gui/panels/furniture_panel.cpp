@@ -194,7 +194,11 @@ void FurniturePanel::refreshHand() {
     following_ = true;
     verdict_->setText(qt(furnishing.statement(units)));
     const auto colour = colourOf(furnishing.light().verdict, palette());
-    verdict_->setStyleSheet(QStringLiteral("QLabel { border-left: 4px solid %1; padding: 6px 8px; font-weight: 600; }").arg(colour.name()));
+    verdict_->setStyleSheet(QStringLiteral("border: none; border-left: 4px solid %1; background: rgba(%2, %3, %4, 40); padding: 6px 8px; font-weight: 600;")
+                                .arg(colour.name())
+                                .arg(colour.red())
+                                .arg(colour.green())
+                                .arg(colour.blue()));
     const auto place = furnishing.pivot() + Vec3d(furnishing.pose().moveM);
     x_->setSuffix(QStringLiteral(" ") + QString::fromUtf8(units.lengthUnit()));
     y_->setSuffix(x_->suffix());

@@ -18,7 +18,7 @@ namespace luxdeck::gui {
 
 namespace {
 
-constexpr int kSheetWidth = 400;
+constexpr int kSheetWidth = 720;
 
 QLabel* text(const QString& words, QWidget* parent, const char* style = "") {
     auto* label = new QLabel(words, parent);
@@ -53,7 +53,7 @@ ImportDialog::ImportDialog(Session& session, const std::vector<std::filesystem::
     : QDialog(parent), session_(session), wait_(new QLabel(tr("Reading …"), this)) {
     setObjectName(QStringLiteral("importDialog"));
     setWindowTitle(tr("Import"));
-    resize(880, 660);
+    resize(800, 860);
     auto* content = new QWidget;
     cards_ = new QVBoxLayout(content);
     cards_->addWidget(wait_);
@@ -76,16 +76,14 @@ ImportDialog::ImportDialog(Session& session, const std::vector<std::filesystem::
 }
 
 void ImportDialog::showFound() {
-    if (session_.importing.looking()) return;
-    wait_->hide();
-    for (const auto& file : session_.importing.found()) cards_->insertWidget(cards_->count() - 1, card(file));
+    const auto& found = session_.importing.found();
+    wait_->setVisible(found.empty());
+    for (; shown_ < found.size(); ++shown_) cards_->insertWidget(cards_->count() - 1, card(found[shown_]));
 }
 
 QWidget* ImportDialog::card(const ImportedFile& file) {
     auto* box = new QWidget(this);
-    auto* columns = new QHBoxLayout(box);
-    auto* words = new QVBoxLayout;
-    columns->addLayout(words, 1);
+    auto* words = new QVBoxLayout(box);
     words->addWidget(text(qt(file.file.filename().string()), box, "font-weight: 600; font-size: 12pt"));
     words->addWidget(text(qt(file.what), box));
     if (file.refused) {
@@ -102,9 +100,9 @@ QWidget* ImportDialog::card(const ImportedFile& file) {
     if (file.kind == ImportKind::Photometry) offerPhotometry(file, words);
     if (file.kind == ImportKind::Geometry) offerGeometry(file, words);
     if (file.kind == ImportKind::Volume) offerVolume(file, words);
-    words->addStretch(1);
     if (file.photometry)
-        if (auto* drawing = sheet(*file.photometry, box)) columns->addWidget(drawing);
+        if (auto* drawing = sheet(*file.photometry, box)) words->addWidget(drawing);
+    words->addStretch(1);
     return box;
 }
 

@@ -33,6 +33,7 @@ private:
     Session& session_;
     QLabel* wait_;
     QVBoxLayout* cards_;
+    std::size_t shown_ = 0;  // of what was found
 };
 
 }  // namespace luxdeck::gui
