@@ -56,7 +56,8 @@ void RoomLayer::rebuild() {
 void RoomLayer::restyle() {
     const bool wire = view_.surfaces == SurfaceLook::Wireframe, none = view_.surfaces == SurfaceLook::Hidden;
     for (const auto& shown : shown_) {
-        const bool hidden = none || (hiddenSides_ >> static_cast<unsigned>(shown->part->side) & 1U) != 0;
+        const bool leftOut = leftOut_ >= 0 && shown->part->movable == leftOut_;
+        const bool hidden = none || leftOut || (hiddenSides_ >> static_cast<unsigned>(shown->part->side) & 1U) != 0;
         shown->faces->SetVisibility(!hidden && !wire);
         shown->edges->SetVisibility(!hidden);
         shown->faceMapper->SelectColorArray(view_.surfaces == SurfaceLook::Plain ? "plain" : "materials");
@@ -68,7 +69,7 @@ void RoomLayer::restyle() {
     if (!marked_) return;
     const auto accent = rgbOf(colours_.accent);
     for (auto* actor : {marked_->faces.Get(), marked_->edges.Get()}) actor->GetProperty()->SetColor(accent[0], accent[1], accent[2]);
-    marked_->faces->SetVisibility(!none && !wire);
+    marked_->faces->SetVisibility(!none && !wire && selection_ != Selection{Thing::Object, static_cast<std::size_t>(leftOut_)});
 }
 
 void RoomLayer::clip() {
@@ -130,6 +131,12 @@ bool RoomLayer::setColours(const ViewColours& colours) {
     colours_ = colours;
     restyle();
     return true;
+}
+
+void RoomLayer::leaveOut(std::int64_t object) {
+    if (object == leftOut_) return;
+    leftOut_ = object;
+    restyle();
 }
 
 void RoomLayer::place(std::uint32_t object, const vtkMatrix4x4& where) {

@@ -29,6 +29,8 @@ public:
     bool setColours(const ViewColours& colours);
     /// Shows an object elsewhere than it is, until the next project.
     void place(std::uint32_t object, const vtkMatrix4x4& where);
+    /// Leaves one movable object to another layer; -1: none.
+    void leaveOut(std::int64_t object);
 
 private:
     struct Shown {
@@ -53,6 +55,7 @@ private:
     ViewSettings view_;
     ViewColours colours_;
     std::uint32_t hiddenSides_ = 0;
+    std::int64_t leftOut_ = -1;
 };
 
 }  // namespace luxdeck::gui

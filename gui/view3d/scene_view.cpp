@@ -1,5 +1,6 @@
 #include "gui/view3d/scene_view.h"
 
+#include "gui/view3d/furniture_layer.h"
 #include "gui/view3d/glyph_layer.h"
 #include "gui/view3d/grid_layer.h"
 #include "gui/view3d/lattice_layer.h"
@@ -47,6 +48,9 @@ SceneView::SceneView(Session& session, const SharedScene& shared, std::size_t in
     layers_.push_back(std::move(room));
     layers_.push_back(std::move(grids));
     layers_.push_back(std::move(luminaires));
+    auto furniture = std::make_unique<FurnitureLayer>(*renderer_);
+    furniture_ = furniture.get();
+    layers_.push_back(std::move(furniture));
     layers_.push_back(std::make_unique<LatticeLayer>(*renderer_));
     layers_.push_back(std::make_unique<GlyphLayer>(*renderer_));
 
@@ -122,6 +126,7 @@ void SceneView::refresh(const ResolvedScale& scale) {
     bool changed = false;
     for (const auto& layer : layers_) changed |= layer->update(session_, settings(), scale);
     changed |= room_->hideSides(visible().hiddenSides);
+    placeInHand();
     navigator_->setNavigation(session_.display().navigation);
     overlay_->setHint(hint());
     aimGizmo();
@@ -188,6 +193,8 @@ QImage SceneView::picture() {
     return grab().toImage();
 }
 
+void SceneView::setReading(const QString& reading, QPoint at) { overlay_->setReading(reading, at); }
+
 void SceneView::setFramed(bool framed) { overlay_->setFramed(framed); }
 
 QString SceneView::hint() const {
@@ -240,7 +247,7 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
     if (gizmo_.dragging()) return dragGizmo(*event);
     navigator_->drag(*event);
-    if (navigator_->moving()) return;
+    if (navigator_->moving()) return overlay_->setReading({}, {});
     const auto handle = gizmo_.handleAt(event->pos());
     if (gizmo_.setHot(handle)) overlay_->update();
     setCursor(handle == Handle::None ? Qt::ArrowCursor : Qt::OpenHandCursor);

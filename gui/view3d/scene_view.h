@@ -20,6 +20,7 @@
 
 namespace luxdeck::gui {
 
+class FurnitureLayer;
 class GridLayer;
 class LuminaireLayer;
 class RoomLayer;
@@ -52,6 +53,8 @@ public:
     void placeSelected(const GizmoMotion& motion);
     [[nodiscard]] const Gizmo& gizmo() const { return gizmo_; }
     void setFramed(bool framed);
+    /// Words beside the cursor; empty: none.
+    void setReading(const QString& reading, QPoint at);
     [[nodiscard]] const ViewSettings& settings() const;
     /// What is shown here, for picking.
     [[nodiscard]] Visible visible() const;
@@ -93,6 +96,10 @@ private:
     void requestRender();
     void renderNow();
     void aimGizmo();
+    /// What is in hand stands where the hand is.
+    void placeInHand();
+    [[nodiscard]] bool inHand(std::size_t object) const;
+    [[nodiscard]] Vec3d pivotOf(std::size_t object) const;
     [[nodiscard]] std::optional<Gizmo::Target> gizmoTarget() const;
     void dragGizmo(const QMouseEvent& event);
     void endGizmo(bool keep);
@@ -109,6 +116,7 @@ private:
     RoomLayer* room_ = nullptr;              // of layers_
     LuminaireLayer* luminaires_ = nullptr;
     GridLayer* grids_ = nullptr;
+    FurnitureLayer* furniture_ = nullptr;
     std::vector<std::unique_ptr<Layer>> layers_;
     ViewOverlay* overlay_;
     Gizmo gizmo_;

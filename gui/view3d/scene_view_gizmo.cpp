@@ -1,3 +1,4 @@
+#include "gui/view3d/furniture_layer.h"
 #include "gui/view3d/luminaire_layer.h"
 #include "gui/view3d/room_layer.h"
 #include "gui/view3d/scene_view.h"
@@ -36,6 +37,16 @@ Snapping snappingOf(Qt::KeyboardModifiers keys) {
 
 }  // namespace
 
+/// Where the project has the point that an object turns about: as Pose.
+Vec3d SceneView::pivotOf(std::size_t object) const {
+    const auto& box = shared_.parts->bounds(static_cast<std::uint32_t>(object));
+    return {0.5 * (double{box.min.x} + double{box.max.x}), 0.5 * (double{box.min.y} + double{box.max.y}), double{box.min.z}};
+}
+
+bool SceneView::inHand(std::size_t object) const {
+    return shared_.project == session_.project() && session_.furnishing.object() == shared_.project->project.scene.objects[object].name;
+}
+
 /// Furniture that may be moved, and luminaires; of projects that can be changed.
 std::optional<Gizmo::Target> SceneView::gizmoTarget() const {
     if (!shared_.project || !session_.editable()) return {};
@@ -43,10 +54,25 @@ std::optional<Gizmo::Target> SceneView::gizmoTarget() const {
     const auto& [thing, index] = session_.selection();
     if (thing == Thing::Luminaire && index < scene.luminaires.size() && settings().luminaires) return Gizmo::Target{Vec3d(scene.luminaires[index].position), true, false};
     if (thing != Thing::Object || index >= scene.objects.size() || !scene.objects[index].movable) return {};
-    const auto& box = shared_.parts->bounds(static_cast<std::uint32_t>(index));
-    if (box.isEmpty()) return {};
-    const Vec3d middle(box.center());
-    return Gizmo::Target{{middle.x, middle.y, double{box.min.z}}, false, true};
+    if (shared_.parts->bounds(static_cast<std::uint32_t>(index)).isEmpty()) return {};
+    return Gizmo::Target{pivotOf(index) + (inHand(index) ? session_.furnishing.pose().moveM : Vec3d(0, 0, 0)), false, true};
+}
+
+void SceneView::placeInHand() {
+    const auto& name = session_.furnishing.object();
+    std::int64_t lit = -1;
+    if (shared_.project && !name.empty()) {
+        const auto& objects = shared_.project->project.scene.objects;
+        const auto at = std::find_if(objects.begin(), objects.end(), [&](const SceneObject& object) { return object.name == name; });
+        const auto index = static_cast<std::size_t>(at - objects.begin());
+        if (at != objects.end() && at->movable && inHand(index) && !gizmo_.dragging()) {
+            const auto& pose = session_.furnishing.pose();
+            room_->place(static_cast<std::uint32_t>(index), *matrixOf(pivotOf(index), {pose.moveM, pose.turnDeg}));
+            requestRender();
+        }
+        if (at != objects.end() && furniture_->shown()) lit = static_cast<std::int64_t>(index);
+    }
+    room_->leaveOut(lit);
 }
 
 void SceneView::aimGizmo() {
@@ -82,10 +108,9 @@ void SceneView::endGizmo(bool keep) {
 }
 
 void SceneView::placeSelected(const GizmoMotion& motion) {
-    const auto target = gizmoTarget();
-    if (!target) return;
-    const auto matrix = matrixOf(target->centre, motion);
+    if (!gizmoTarget()) return;
     const auto& [thing, index] = session_.selection();
+    const auto matrix = matrixOf(thing == Thing::Object ? pivotOf(index) : Vec3d(0, 0, 0), motion);
     if (thing == Thing::Object)
         room_->place(static_cast<std::uint32_t>(index), *matrix);
     else

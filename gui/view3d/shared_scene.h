@@ -7,7 +7,8 @@
 
 namespace luxdeck::gui {
 
-/// What all views have in common: the project as it is drawn. Made by ViewArea, once for all of its views.
+/// What all views have in common: the project as it is drawn. Made by ViewArea, once for all of its views and
+/// beside the window, so for a moment it may be the project before session.project().
 struct SharedScene {
     std::shared_ptr<const LitProject> project;   ///< null: nothing to show
     std::shared_ptr<const SceneParts> parts;     ///< of it

@@ -1,5 +1,6 @@
 #include "gui/view3d/view_area.h"
 
+#include "gui/session/surface_light.h"
 #include "gui/view3d/legend_bar.h"
 #include "gui/view3d/scene_view.h"
 
@@ -43,15 +44,26 @@ void ViewArea::heard(Change change) {
     }
 }
 
+/// What the views draw of a project is made beside the window; until it is there they show what they showed.
 void ViewArea::takeProject() {
     const auto project = session_.project();
+    if (!project) return ready({});
     if (project == shared_.project) return refresh();
-    const bool another = !project || !shared_.project || project->project.file != shared_.project->project.file;
-    shared_.project = project;
-    shared_.parts = project ? std::make_shared<const SceneParts>(project->project.scene) : nullptr;
-    shared_.room = project ? RoomModel::of(project->project.scene, *shared_.parts) : nullptr;
+    session_.place.jobs.start(JobKind::Load, "Preparing the views", [area = QPointer<ViewArea>(this), project](const Progress&, const Jobs::Tell&) -> Jobs::Delivery {
+        auto parts = std::make_shared<const SceneParts>(project->project.scene);
+        const SharedScene shared{project, parts, RoomModel::of(project->project.scene, *parts)};
+        return [area, shared] {
+            if (area && area->session_.project() == shared.project) area->ready(shared);
+        };
+    });
+    session_.place.tell(Change::Jobs);
+}
+
+void ViewArea::ready(const SharedScene& shared) {
+    const bool another = !shared.project || !shared_.project || shared.project->project.file != shared_.project->project.file;
+    shared_ = shared;
+    if (another && shared_.project) lookFrom(Side::Iso);
     refresh();
-    if (another && project) lookFrom(Side::Iso);
 }
 
 /// As many views as the session has: side by side, from three on in two rows.
@@ -163,9 +175,17 @@ void ViewArea::keyCommand(int key) {
     ++lastProjectView_;
 }
 
-void ViewArea::dragged(const GizmoMotion& motion, bool done) {
+void ViewArea::dragged(GizmoMotion motion, bool done) {
+    const auto [thing, index] = session_.selection();
+    if (!shared_.project) return;
+    if (thing == Thing::Object) {
+        const auto& name = shared_.project->project.scene.objects[index].name;
+        // What is in hand already stands elsewhere than the project has it.
+        if (!taken_) taken_ = session_.furnishing.object() == name ? session_.furnishing.pose() : Pose{};
+        motion = {motion.moveM + taken_->moveM, motion.turnDeg + taken_->turnDeg};
+    }
+    if (done) taken_.reset();
     for (auto* view : views_) view->placeSelected(motion);
-    const auto& [thing, index] = session_.selection();
     if (thing == Thing::Luminaire) emit luminaireDragged(static_cast<int>(index), motion.moveM, done);
     if (thing == Thing::Object) emit objectDragged(QString::fromStdString(shared_.project->project.scene.objects[index].name), motion.moveM, motion.turnDeg, done);
 }
@@ -175,18 +195,37 @@ void ViewArea::showSelectedAt(const Vec3d& moveM, double turnDeg) {
 }
 
 void ViewArea::hovered(std::size_t index, const Picked& picked, QPoint at) {
-    static_cast<void>(index);
-    static_cast<void>(at);
-    if (!picked.any() || !shared_.project) return emit probed({});
-    const auto& scene = shared_.project->project.scene;
+    const bool light = picked.what.thing == Thing::Grid && session_.solving.result() != nullptr;
+    const auto reading = readingOf(picked);
+    views_[index]->setReading(light ? reading : QString(), at);
+    emit probed(QString(reading).replace(QLatin1Char('\n'), QStringLiteral("  ·  ")));
+}
+
+/// Name, light where it is known, and place.
+QString ViewArea::readingOf(const Picked& picked) const {
+    if (!picked.any() || !shared_.project) return {};
+    const auto& project = shared_.project->project;
     const auto& units = session_.display().units;
-    const Vec3d user = picked.point + scene.origin;
-    QString name;
-    if (picked.what.thing == Thing::Object) name = QString::fromStdString(scene.objects[picked.what.index].name);
-    if (picked.what.thing == Thing::Luminaire) name = QString::fromStdString(scene.luminaires[picked.what.index].name);
-    if (picked.what.thing == Thing::Grid) name = QString::fromStdString(shared_.project->project.grids[picked.what.index].name);
-    const auto metres = [&](double v) { return QString::fromStdString(numberText(units.lengthOf(v))); };
-    emit probed(QStringLiteral("%1  ·  %2, %3, %4 %5").arg(name, metres(user.x), metres(user.y), metres(user.z), QString::fromUtf8(units.lengthUnit())));
+    const auto qt = [](const std::string& text) { return QString::fromStdString(text); };
+    const auto index = picked.what.index;
+    const Vec3d user = picked.point + project.scene.origin;
+    QStringList lines;
+    if (picked.what.thing == Thing::Object && index < project.scene.objects.size()) lines << qt(project.scene.objects[index].name);
+    if (picked.what.thing == Thing::Luminaire && index < project.scene.luminaires.size()) lines << qt(project.scene.luminaires[index].name);
+    if (picked.what.thing == Thing::Grid && index < project.grids.size()) {
+        lines << qt(project.grids[index].name);
+        const auto result = session_.solving.result();
+        const auto light = [&](LightPart part) { return result && index < result->grids.size() ? lightAt(result->grids[index], part, user) : std::nullopt; };
+        const auto shown = [&](double lux) { return units.illuminance(lux); };
+        if (const auto total = light(LightPart::Total)) {
+            lines << QStringLiteral("%1 %2").arg(qt(intervalText(shown(total->value), shown(total->ci95))), QString::fromUtf8(units.illuminanceUnit()));
+            lines << tr("direct %1, indirect %2").arg(qt(numberText(shown(light(LightPart::Direct)->value))), qt(numberText(shown(light(LightPart::Indirect)->value))));
+        }
+        if (result && !session_.solving.current()) lines << tr("old: the project has changed since");
+    }
+    const auto length = [&](double metres) { return QString::number(units.lengthOf(metres), 'f', 2); };
+    lines << QStringLiteral("%1, %2, %3 %4").arg(length(user.x), length(user.y), length(user.z), QString::fromUtf8(units.lengthUnit()));
+    return lines.join(QLatin1Char('\n'));
 }
 
 }  // namespace luxdeck::gui

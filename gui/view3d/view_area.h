@@ -8,6 +8,7 @@
 #include <QImage>
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
 class QSplitter;
@@ -72,7 +73,9 @@ private:
     void refresh();
     void link(std::size_t from);
     void keyCommand(int key);
-    void dragged(const GizmoMotion& motion, bool done);
+    void dragged(GizmoMotion motion, bool done);
+    void ready(const SharedScene& shared);
+    [[nodiscard]] QString readingOf(const Picked& picked) const;
     void hovered(std::size_t index, const Picked& picked, QPoint at);
 
     Session& session_;
@@ -82,7 +85,7 @@ private:
     LegendBar* legend_;
     ResolvedScale scale_;
     std::size_t active_ = 0, lastProjectView_ = 0;
-    bool fresh_ = false;      // the project is not yet in view
+    std::optional<Pose> taken_;   // of the object in hand when the drag began
 };
 
 }  // namespace luxdeck::gui

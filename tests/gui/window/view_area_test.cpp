@@ -27,6 +27,7 @@ protected:
     void open(const std::string& sample = "office") {
         ASSERT_TRUE(open_.open(folder_.sample(sample))) << open_.errors();
         area_ = std::make_unique<ViewArea>(session());
+        ASSERT_TRUE(open_.untilIdle());  // what is drawn has been made
         area_->resize(1000, 700);
         area_->show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(area_.get()));
@@ -246,6 +247,22 @@ TEST_F(Views, TheLegendHasTheUnitOfTheSessionAndIsThereWithTheLightAlone) {
     session().setDisplay(display);
     EXPECT_EQ(legend->unit(), "fc");
     EXPECT_LT(legend->numbers().last().toDouble(), 0.2 * lux);
+}
+
+TEST_F(Views, TheCursorReadsTheIlluminanceOfTheSurfaceUnderIt) {
+    open();
+    solve(256);
+    area_->lookFrom(Side::Top);
+    const auto& grid = session().solving.result()->grids[7];
+    ASSERT_EQ(grid.name, "Whole room, work plane");
+    const auto& point = grid.points[static_cast<std::size_t>(grid.columns) + 9];
+    QString reading;
+    QObject::connect(area_.get(), &ViewArea::probed, [&](const QString& text) { reading = text; });
+    QTest::mouseMove(&view(), pixel(point.position - scene().origin));
+    EXPECT_TRUE(reading.contains("Whole room, work plane")) << reading.toStdString();
+    // Pixels are near the point, not on it.
+    const double read = reading.section("·", 1, 1).section("±", 0, 0).trimmed().section(' ', 0, 0).toDouble();
+    EXPECT_NEAR(read, point.total.value, 0.05 * point.total.value) << reading.toStdString();
 }
 
 TEST_F(Views, LinkedViewsMoveTogetherAndOthersAlone) {
