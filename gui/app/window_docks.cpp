@@ -4,6 +4,7 @@
 #include "gui/panels/lighting_panel.h"
 #include "gui/panels/log_panel.h"
 #include "gui/panels/project_tree.h"
+#include "gui/panels/properties_panel.h"
 #include "gui/panels/results_panel.h"
 #include "gui/panels/show_panel.h"
 #include "gui/panels/solve_panel.h"
@@ -50,13 +51,14 @@ QDockWidget* MainWindow::dock(const QString& name, const QString& title, QWidget
 }
 
 void MainWindow::makeDocks() {
-    room_->setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+    room_->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     room_->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     auto* tree = new ProjectTree(session_);
     results_ = new ResultsPanel(session_);
     show_ = new ShowPanel(session_);
     solve_ = new SolvePanel(session_);
-    dock(QStringLiteral("projectDock"), tr("Project"), tree, Qt::LeftDockWidgetArea);
+    auto* project = dock(QStringLiteral("projectDock"), tr("Project"), tree, Qt::LeftDockWidgetArea);
+    auto* properties = dock(QStringLiteral("propertiesDock"), tr("Properties"), new PropertiesPanel(session_), Qt::LeftDockWidgetArea);
     auto* solve = dock(QStringLiteral("solveDock"), tr("Solve"), scrolled(solve_), Qt::RightDockWidgetArea);
     auto* show = dock(QStringLiteral("showDock"), tr("Show"), scrolled(show_), Qt::RightDockWidgetArea);
     lightingDock_ = dock(QStringLiteral("lightingDock"), tr("Lighting"), scrolled(new LightingPanel(session_)), Qt::RightDockWidgetArea);
@@ -74,7 +76,8 @@ void MainWindow::makeDocks() {
     room_->tabifyDockWidget(results, log);
     results->raise();
     room_->resizeDocks({results}, {kResultsHeight}, Qt::Vertical);
-    room_->resizeDocks({docks_.front(), solve}, {kSideWidth, kSideWidth + 60}, Qt::Horizontal);
+    room_->resizeDocks({project, properties}, {1, 1}, Qt::Vertical);
+    room_->resizeDocks({project, solve}, {kSideWidth, kSideWidth + 60}, Qt::Horizontal);
 }
 
 /// What the project lacks has no panel: no volumes, no panel of volumes.
