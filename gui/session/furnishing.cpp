@@ -42,13 +42,13 @@ struct Furnishing::Live {
 
 void Furnishing::begin(const std::string& object) {
     request_.reset();
-    object_ = object, requirementSet_ = false;
+    object_ = object, requirementKnown_ = false;
     prepare();
 }
 
 void Furnishing::begin(const std::string& object, const VolumeRequest& volume) {
     request_ = volume;
-    object_ = object, requirementSet_ = false;
+    object_ = object, requirementKnown_ = false;
     prepare();
 }
 
@@ -84,11 +84,12 @@ void Furnishing::ready(std::shared_ptr<Live> live) {
     state_ = State::Ready;
     for (const auto& warning : live_->object.warnings) place_.warn(warning);
     if (live_->room.built) volumes_.add({"without " + object_, {}, live_->room.volume, live_->room.project, object_, true});
-    if (!requirementSet_) {
+    if (!requirementKnown_) {
         const auto required = requiredOn(live_->shown->project, live_->object);
         requirement_ = {};
         requiredBy_ = required ? required->grid : "";
         if (required) requirement_.meanAtLeast = required->meanLux;
+        requirementKnown_ = true;  // it goes with the object, wherever that is put down
     }
     relight();
 }
@@ -122,7 +123,7 @@ void Furnishing::moveTo(const Pose& pose) {
 const FurnitureLighting* Furnishing::lighting() const { return live_ ? live_->lighting.get() : nullptr; }
 
 void Furnishing::setRequirement(const LightRequirement& requirement) {
-    requirement_ = requirement, requiredBy_.clear(), requirementSet_ = true;
+    requirement_ = requirement, requiredBy_.clear(), requirementKnown_ = true;
     if (live_) relight();
 }
 
@@ -205,7 +206,7 @@ void Furnishing::follow() {
 void Furnishing::clear() {
     letGo();
     object_.clear(), request_.reset();
-    requirement_ = {}, requiredBy_.clear(), requirementSet_ = false;
+    requirement_ = {}, requiredBy_.clear(), requirementKnown_ = false;
     place_.tell(Change::Furniture);
 }
 

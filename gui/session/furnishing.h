@@ -58,7 +58,7 @@ public:
     /// Null: not ready.
     [[nodiscard]] const FurnitureLighting* lighting() const;
     [[nodiscard]] const WorkingSurfaceLight& light() const { return light_; }
-    /// Of the calculation surface that lies over it, where there is one; or what was set.
+    /// Of the calculation surface that lay over it when it was taken in hand, where there is one; or what was set.
     [[nodiscard]] const LightRequirement& requirement() const { return requirement_; }
     /// Where the requirement is from: the surface's name; empty: it was set, or there is none.
     [[nodiscard]] const std::string& requiredBy() const { return requiredBy_; }
@@ -102,7 +102,7 @@ private:
     WorkingSurfaceLight light_;
     LightRequirement requirement_;
     std::string requiredBy_;
-    bool requirementSet_ = false;
+    bool requirementKnown_ = false;
     std::optional<RoomChange> roomChange_;
 };
 

@@ -92,6 +92,7 @@ TEST_F(FurnishingTest, CommitLeavesItInTheProjectAndUndoPutsItBack) {
     ASSERT_EQ(hand().state(), Furnishing::State::Ready);
     EXPECT_EQ(open_.session.volumes.all().size(), 1U);
     EXPECT_EQ(hand().pose(), Pose{});
+    EXPECT_EQ(hand().requiredBy(), "Meeting table") << "what a table is for goes with it";
     EXPECT_LT((hand().pivot() - pivot - Vec3d(-1, 0, 0)).length(), 1e-5);
     // The vertices are divided along other axes now: the same light to a few per cent.
     EXPECT_NEAR(hand().light().mean.value, shown.mean.value, 0.05 * shown.mean.value);
