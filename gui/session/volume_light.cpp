@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace luxdeck::gui {
@@ -55,6 +56,12 @@ LightSamples makeSamples(const LightField& field, const SampleGrid& grid, const 
         for (int y = 0; y < grid.counts[1]; ++y)
             for (int x = 0; x < grid.counts[0]; ++x) positions.push_back(grid.at(x, y, z));
     field.illuminance(positions, facing, out.lux);
+    // The field goes on beyond its lattice as it was at the edge: there nothing is known.
+    const Box3& bounds = field.volume->lattice.bounds();
+    const float hair = 1e-5F * bounds.size().length();
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        for (int axis = 0; axis < 3; ++axis)
+            if (positions[i][axis] < bounds.min[axis] - hair || positions[i][axis] > bounds.max[axis] + hair) out.lux[i] = std::numeric_limits<float>::quiet_NaN();
     return out;
 }
 

@@ -6,6 +6,7 @@
 #include "gui/view3d/lattice_layer.h"
 #include "gui/view3d/luminaire_layer.h"
 #include "gui/view3d/room_layer.h"
+#include "gui/view3d/slice_layer.h"
 #include "gui/view3d/view_overlay.h"
 
 #include <QKeyEvent>
@@ -53,6 +54,7 @@ SceneView::SceneView(Session& session, const SharedScene& shared, std::size_t in
     layers_.push_back(std::move(furniture));
     layers_.push_back(std::make_unique<LatticeLayer>(*renderer_));
     layers_.push_back(std::make_unique<GlyphLayer>(*renderer_));
+    layers_.push_back(std::make_unique<SliceLayer>(*renderer_));
 
     overlay_->setPainter([this](QPainter& painter) { gizmo_.paint(painter, ViewColours::of(palette())); });
     navigator_ = std::make_unique<Navigator>(navigatorPlace());
