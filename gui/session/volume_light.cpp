@@ -117,7 +117,13 @@ std::shared_ptr<const LightSamples> VolumeLight::samples(const VolumeState& volu
     return get<LightSamples>(samples_, {volume.volume, part, 1, grid, facing}, [source, grid, facing]() -> Result<LightSamples> { return makeSamples(*source, grid, facing); });
 }
 
+std::shared_ptr<const InterpolationError> VolumeLight::interpolation(const VolumeState& volume) const {
+    if (interpolation_.first != volume.volume) interpolation_ = {volume.volume, std::make_shared<const InterpolationError>(*volume.volume)};
+    return interpolation_.second;
+}
+
 void VolumeLight::clear() {
+    interpolation_ = {};
     fields_.made.clear();
     spheres_.made.clear();
     samples_.made.clear();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analysis/furniture/interpolation_error.h"
 #include "engine/volume/field.h"
 #include "gui/session/volumes.h"
 
@@ -62,6 +63,9 @@ public:
     /// facing  unit
     [[nodiscard]] std::shared_ptr<const LightSamples> samples(const VolumeState& volume, LightPart part, const SampleGrid& grid, const Vec3& facing) const;
 
+    /// How far interpolation between its vertices may be off. Made at once: some ms.
+    [[nodiscard]] std::shared_ptr<const InterpolationError> interpolation(const VolumeState& volume) const;
+
     void clear();
 
 private:
@@ -88,6 +92,7 @@ private:
     mutable Recent<LightField> fields_;
     mutable Recent<LightSpheres> spheres_;
     mutable Recent<LightSamples> samples_;
+    mutable std::pair<std::shared_ptr<const IrradianceVolume>, std::shared_ptr<const InterpolationError>> interpolation_;  // of the last asked
     mutable bool making_ = false;
 };
 
