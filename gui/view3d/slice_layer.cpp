@@ -105,7 +105,7 @@ void SliceLayer::take(const Session& session, const ViewSettings& view) {
 
 Layer::Range SliceLayer::lightRange(const Session& session, const ViewSettings& view) {
     take(session, view);
-    if (!wantedPlane_) return wantedRoom_ ? Range{0, view.isosurfaceLux} : Range{};
+    if (!wantedPlane_) return wantedRoom_ ? Range{0, 2 * view.isosurfaceLux} : Range{};  // in the middle of the scale
     if (rangeOf_ != wantedPlane_) {
         std::vector<float> known;
         for (const float lux : wantedPlane_->lux)

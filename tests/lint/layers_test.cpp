@@ -88,7 +88,7 @@ const std::vector<Library>& libraries() {
          {"gui/app", "gui/panels", "gui/view3d", "gui/drivers", "tests/gui"}},
         {"Qt", std::regex("Qt?[A-Z].*"), {"analysis/report", "gui", "tests/gui"}},
         {"GoogleTest", std::regex("(gtest|gmock)/.*"), {"tests"}},
-        {"Google Benchmark", std::regex("benchmark/.*"), {"tests/bench"}},
+        {"Google Benchmark", std::regex("benchmark/.*"), {"tests/bench", "tests/gui/bench"}},
     };
     return table;
 }

@@ -1,6 +1,7 @@
 // What views show of an irradiance volume, pixel by pixel.
 #include "gui/view3d/glyph_layer.h"
 #include "gui/view3d/lattice_layer.h"
+#include "gui/view3d/slice_layer.h"
 #include "tests/gui/made_volume.h"
 #include "tests/gui/open_session.h"
 #include "tests/gui/window/picture.h"
@@ -132,6 +133,56 @@ TEST(LatticeLayer, LevelsAreDrawnWhenAskedFor) {
     EXPECT_GT(first, 0);
     view.secondLevelGrid = true;
     EXPECT_GT(coloured(), first);
+}
+
+/// Light that depends on the height alone: 10 lx at z = -1 to 90 lx at z = 1, on surfaces that face up.
+VolumeState lighterAbove() {
+    auto state = madeVolume("slope", [](const Vec3& d) { return d.z > 0 ? 1.0F : 0.0F; }, 8);
+    auto volume = std::make_shared<IrradianceVolume>(*state.volume);
+    for (std::size_t v = 0; v < volume->vertexCount(); ++v)
+        for (std::size_t bin = 0; bin < volume->binCount(); ++bin)
+            volume->direct[v * volume->binCount() + bin] *= (50 + 40 * volume->lattice.vertices()[v].z) / kPi;
+    state.volume = volume;
+    return state;
+}
+
+TEST(SliceLayer, PlaneAndIsosurfaceLieWhereTheLightIs) {
+    OpenSession open;
+    open.session.volumes.add(lighterAbove());
+    Picture picture;
+    SliceLayer layer(*picture.renderer);
+    ViewSettings view;
+    view.isolines = false;
+    const auto middle = [&] {
+        open.until([&] {
+            layer.lightRange(open.session, view);
+            return open.session.place.jobs.idle();
+        });
+        layer.update(open.session, view, kScale);
+        picture.look({0.03, -8, 0.02}, {0.03, 0, 0.02}, 20);
+        picture.render();
+        return picture.at(200, 150);
+    };
+    EXPECT_EQ(middle(), (Picture::Colour{0, 0, 0})) << "nothing is asked for";
+    view.slice = {true, {0, 1, 0}, 0};
+    // Bins are blended, a hundredth of the light: some steps of colour.
+    expectColour(middle(), LightColours(kScale).colour(50), 6, "an upright plane at half height");
+    EXPECT_NEAR(layer.lightRange(open.session, view).high, 90, 3);
+    view.sliceFacing = {0, 0, -1};
+    expectColour(middle(), LightColours(kScale).colour(0), 6, "of surfaces that face down");
+    view.slice.on = false;
+    view.sliceFacing = {0, 0, 1};
+    view.isosurface = true;
+    view.isosurfaceLux = 50;
+    middle();
+    picture.look({0, -3, 4}, {0, 0, 0}, 20);
+    picture.render();
+    EXPECT_NE(picture.at(200, 150), (Picture::Colour{0, 0, 0})) << "a level plane in the middle";
+    view.isosurfaceLux = 500;
+    middle();
+    picture.look({0, -3, 4}, {0, 0, 0}, 20);
+    picture.render();
+    EXPECT_EQ(picture.at(200, 150), (Picture::Colour{0, 0, 0})) << "nowhere so bright";
 }
 
 }  // namespace
