@@ -55,7 +55,7 @@ public:
     void frame(double turnDeg) {
         auto& view = area_->view(0);
         view.setPose(orbited(view.pose(), middle(), turnDeg, 0));
-        view.renderNow();
+        view.renderWindow()->Render();
         view.renderWindow()->WaitForCompletion();
         QApplication::processEvents();
     }
