@@ -1,10 +1,9 @@
 #include "analysis/compare/compare.h"
+#include "analysis/compare/compare_folder.h"
 #include "analysis/compare/compare_output.h"
 #include "analysis/compare/volume_pairs.h"
 #include "cli/command.h"
 #include "cli/load.h"
-#include "engine/core/file.h"
-#include "engine/io/image_files.h"
 #ifdef LUXDECK_REPORT
 #include "analysis/report/compare_plot.h"
 #endif
@@ -29,13 +28,6 @@ struct Options {
     bool grids = true, volumes = false;
     CompareSettings settings;
 };
-
-/// A file's name of any text.
-std::string fileName(std::string text) {
-    for (auto& c : text)
-        if (c == '/' || c == '\\' || static_cast<unsigned char>(c) <= ' ') c = '-';
-    return text;
-}
 
 /// The folder, made if it is not there, asked before long work whether it takes files.
 Result<void> prepareFolder(const std::string& folder) {
@@ -67,38 +59,13 @@ CompareSettings settingsOf(const Options& o, const Project& project, const Conte
     return settings;
 }
 
-Result<void> writePlots([[maybe_unused]] const Comparison& comparison, [[maybe_unused]] const fs::path& folder) {
-#ifdef LUXDECK_REPORT
-    const auto write = [&](const std::string& name, SheetFormat format, const Result<std::string>& drawing) {
-        return drawing ? writeFileAtomically(folder / (name + extensionOf(format)), *drawing) : drawing.error();
-    };
-    for (const auto format : {SheetFormat::Svg, SheetFormat::Png, SheetFormat::Pdf}) {
-        for (const auto& reference : comparison.reference)
-            if (auto ok = write("error-against-time-" + fileName(reference.subject), format, comparePlot(comparison, reference.subject, format)); !ok) return ok;
-        if (!comparison.grids.empty())
-            if (auto ok = write("errors-grids", format, errorPlans(comparison, format)); !ok) return ok;
-    }
-#endif
-    return {};
-}
-
-Result<void> writePictures(const Comparison& comparison, const fs::path& folder) {
-    for (const auto& map : comparison.maps) {
-        if (!map.grid.empty()) continue;  // these are in the plans
-        const auto picture = errorPicture(map, errorRange(comparison, map.subject), map.algorithm);
-        if (!picture) return picture.error();
-        const auto name = fmt::format("errors-{}-{}.png", fileName(map.subject), map.algorithm);
-        if (auto ok = writePng(folder / name, *picture); !ok) return ok;
-    }
-    return {};
-}
-
 Result<void> writeFolder(const Comparison& comparison, const fs::path& folder) {
-    if (auto ok = writeFileAtomically(folder / "compare.json", compareJson(comparison)); !ok) return ok;
-    if (auto ok = writeFileAtomically(folder / "runs.csv", runsCsv(comparison)); !ok) return ok;
-    if (auto ok = writeFileAtomically(folder / "errors.csv", errorsCsv(comparison)); !ok) return ok;
-    if (auto ok = writePlots(comparison, folder); !ok) return ok;
-    return writePictures(comparison, folder);
+    if (auto ok = writeComparison(comparison, folder); !ok) return ok;
+#ifdef LUXDECK_REPORT
+    return writeComparePlots(comparison, folder);
+#else
+    return {};
+#endif
 }
 
 Exit runCompare(const Options& o, Context& context) {

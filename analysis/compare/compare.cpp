@@ -58,8 +58,8 @@ struct Contender {
 class Ladder {
 public:
     Ladder(const Project& project, const LitScene& lit, const CompareSettings& settings, std::vector<std::unique_ptr<Subject>> subjects,
-           const Progress& progress)
-        : lit_(lit), settings_(settings), subjects_(std::move(subjects)), progress_(progress), clock_(settings.coreTime ? coreSeconds : wallSeconds) {
+           const Progress& progress, const AfterRun& afterRun)
+        : lit_(lit), settings_(settings), subjects_(std::move(subjects)), progress_(progress), afterRun_(afterRun), clock_(settings.coreTime ? coreSeconds : wallSeconds) {
         c_.project = project.info.name, c_.seed = settings.seed, c_.threads = threadCount(), c_.repetitions = settings.repetitions;
         c_.coreTime = settings.coreTime;
         c_.sceneHash = project.scene.hash, c_.projectHash = project.fileHash, c_.version = kVersion;
@@ -87,10 +87,13 @@ private:
         for (const auto& subject : subjects_) {
             if (progress_.cancelled() && !references_.empty()) break;
             auto reference = keeper.get(*subject, lit_, progress_);
+            // Stopped before this one: what the others have is kept, in the file too.
+            if (!reference && reference.error().code == ErrorCode::Cancelled && !references_.empty()) break;
             if (!reference) return reference.error();
             references_.push_back(reference->fields(*subject));
             addGrids(*subject, c_);
             c_.reference.push_back(keeper.describe(*subject, *reference, relativeError95(references_.back())));
+            tellValues(references_.size() - 1, "", 0, references_.back().mean());
         }
         return keeper.close();
     }
@@ -209,6 +212,19 @@ private:
         c_.runs.push_back(out);
         contender.last = plan;
         contender.values = std::move(values);
+        tellValues(contender.subject, algorithm, rung, meanOf(contender.values));
+    }
+
+    /// algorithm  empty: of the reference
+    void tellValues(std::size_t subject, const std::string& algorithm, int rung, Field values) {
+        if (!afterRun_) return;
+        const auto& described = c_.reference[subject];
+        ComparedValues last{described.subject, algorithm, rung, described.width, described.height, std::move(values), {}};
+        if (!algorithm.empty()) last.maps = mapsOf(*subjects_[subject], algorithm, relativeErrors(references_[subject], last.values));
+        c_.complete = false;
+        c_.seconds = watch_.seconds();
+        summarize(c_);
+        afterRun_(c_, last);
     }
 
     [[nodiscard]] std::string stageOf(const Contender& contender, int rung, int repetition) const {
@@ -238,6 +254,7 @@ private:
     const CompareSettings& settings_;
     std::vector<std::unique_ptr<Subject>> subjects_;
     const Progress& progress_;
+    const AfterRun& afterRun_;
     RunClock clock_;
     std::vector<ReferenceFields> references_;        // of the subjects, in order; fewer when interrupted
     std::map<std::size_t, SetupCost> costs_;         // by algorithm
@@ -290,7 +307,7 @@ Result<std::vector<View>> viewsNamed(const Project& project, const std::vector<s
     return out;
 }
 
-Result<Comparison> compare(const Project& project, const LitScene& lit, const CompareSettings& settings, const Progress& progress) {
+Result<Comparison> compare(const Project& project, const LitScene& lit, const CompareSettings& settings, const Progress& progress, const AfterRun& afterRun) {
     if (const auto possible = checkSettings(settings); !possible) return possible.error();
     const auto views = viewsNamed(project, settings.views);
     if (!views) return views.error();
@@ -305,7 +322,7 @@ Result<Comparison> compare(const Project& project, const LitScene& lit, const Co
         return Error{ErrorCode::InvalidArgument, "has neither a calculation grid nor a view to compare on: add a [[grid]] or a [[view]] (docs/project-format.md)", project.file.string()};
     auto own = settings;
     own.algorithms = inOrder(settings.algorithms);
-    return Ladder(project, lit, own, std::move(subjects), progress).run(project);
+    return Ladder(project, lit, own, std::move(subjects), progress, afterRun).run(project);
 }
 
 }  // namespace luxdeck

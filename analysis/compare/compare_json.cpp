@@ -99,6 +99,25 @@ private:
     const Json& object_;
 };
 
+bool holds(int columns, int rows, std::size_t count) {
+    return columns >= 0 && rows >= 0 && static_cast<double>(columns) * rows == static_cast<double>(count);
+}
+
+/// What whoever draws a comparison relies on; empty: all is well.
+std::string whatIsWrong(const Comparison& c) {
+    for (const auto& map : c.maps)
+        if (!holds(map.columns, map.rows, map.errors.size())) return fmt::format("a map of {} x {} has {} errors", map.columns, map.rows, map.errors.size());
+    for (const auto& grid : c.grids)
+        for (const auto* places : {&grid.x, &grid.y, &grid.z})
+            if (!holds(grid.columns, grid.rows, places->size()))
+                return fmt::format("grid \"{}\" of {} x {} points has {} x, {} y and {} z", grid.name, grid.columns, grid.rows, grid.x.size(), grid.y.size(), grid.z.size());
+    for (const auto& run : c.runs)
+        for (const auto& [name, value] : {std::pair{"seconds", run.seconds}, {"rmsAtMost", run.rmsAtMost}, {"rms", run.rms.value_or(0)}})
+            if (!(value >= 0 && std::isfinite(value)))
+                return fmt::format("{} of {} on {}, rung {}, is {}, expected a finite number of at least 0", name, run.algorithm, run.subject, run.rung, value);
+    return {};
+}
+
 }  // namespace
 
 std::string compareJson(const Comparison& comparison) {
@@ -116,9 +135,7 @@ Result<Comparison> readCompareJson(const std::string& text, const std::string& w
         Comparison out;
         Reader reader(json);
         compare_fields::visit(reader, out);
-        for (const auto& map : out.maps)
-            if (map.columns < 0 || map.rows < 0 || static_cast<double>(map.columns) * map.rows != static_cast<double>(map.errors.size()))
-                return Error{ErrorCode::Parse, fmt::format("a map of {} x {} has {} errors", map.columns, map.rows, map.errors.size()), where};
+        if (const auto wrong = whatIsWrong(out); !wrong.empty()) return Error{ErrorCode::Parse, wrong, where};
         return out;
     } catch (const std::exception& e) {
         return Error{ErrorCode::Parse, fmt::format("not a comparison: {}", e.what()), where};

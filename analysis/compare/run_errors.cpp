@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace luxdeck {
@@ -13,6 +14,11 @@ namespace {
 constexpr std::size_t kWorst = 5;  // values that are named
 constexpr double kSurely = 2;      // half-widths: one false alarm in some thousand comparisons of an unbiased algorithm
 
+/// A grid's (or picture's) first value: each has one at column 0 of row 0.
+bool opens(const Place& place) { return place.column == 0 && place.row == 0; }
+
+}  // namespace
+
 Field meanOf(const std::vector<Field>& repetitions) {
     Field mean(repetitions.front().size());
     for (const auto& field : repetitions)
@@ -20,24 +26,23 @@ Field meanOf(const std::vector<Field>& repetitions) {
     return mean;
 }
 
-/// A grid's (or picture's) first value: each has one at column 0 of row 0.
-bool opens(const Place& place) { return place.column == 0 && place.row == 0; }
-
-/// One map for each grid, or one for the picture; free points are one row.
-void addMaps(const Subject& subject, const std::string& algorithm, const Field& errors, Comparison& c) {
-    ErrorMap* map = nullptr;
+std::vector<ErrorMap> mapsOf(const Subject& subject, const std::string& algorithm, const Field& errors) {
+    std::vector<ErrorMap> maps;
     for (std::size_t i = 0; i < errors.size(); ++i) {
         const auto place = subject.placeOf(i);
-        if (opens(place)) {
-            c.maps.push_back({subject.name(), algorithm, place.grid, 0, 0, {}});
-            map = &c.maps.back();
-        }
-        map->columns = std::max(map->columns, place.column + 1), map->rows = std::max(map->rows, place.row + 1);
-        map->errors.push_back(errors[i]);
+        if (opens(place)) maps.push_back({subject.name(), algorithm, place.grid, 0, 0, {}});
+        auto& map = maps.back();
+        map.columns = std::max(map.columns, place.column + 1), map.rows = std::max(map.rows, place.row + 1);
+        map.errors.push_back(errors[i]);
     }
+    return maps;
 }
 
-}  // namespace
+Field relativeErrors(const ReferenceFields& reference, const Field& values) {
+    auto errors = reference.mean();
+    for (std::size_t i = 0; i < errors.size(); ++i) errors[i] = (values[i] - errors[i]) / reference.scale[i];
+    return errors;
+}
 
 void enterErrors(const RunErrors& errors, ComparedRun& run) {
     if (const auto rms = errors.rms()) run.rms = rms->value, run.rmsCi95 = rms->ci95;
@@ -49,8 +54,7 @@ void enterErrors(const RunErrors& errors, ComparedRun& run) {
 
 void addPlaces(const Subject& subject, const ReferenceFields& reference, const std::string& algorithm, const std::vector<Field>& repetitions, Comparison& c) {
     const auto truth = reference.mean(), variance = reference.variance(), value = meanOf(repetitions);
-    Field errors(truth.size());
-    for (std::size_t i = 0; i < errors.size(); ++i) errors[i] = (value[i] - truth[i]) / reference.scale[i];
+    const auto errors = relativeErrors(reference, value);
     std::vector<std::size_t> order(errors.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto count = std::min(kWorst, order.size());
@@ -63,7 +67,7 @@ void addPlaces(const Subject& subject, const ReferenceFields& reference, const s
         const auto place = subject.placeOf(i);
         c.worst.push_back({subject.name(), algorithm, place.grid, place.position, place.column, place.row, truth[i], t * std::sqrt(variance[i]), value[i], errors[i]});
     }
-    addMaps(subject, algorithm, errors, c);
+    std::ranges::move(mapsOf(subject, algorithm, errors), std::back_inserter(c.maps));
 }
 
 void addGrids(const Subject& subject, Comparison& c) {

@@ -13,6 +13,17 @@ void enterErrors(const RunErrors& errors, ComparedRun& run);
 /// repetitions  #K x N
 void addPlaces(const Subject& subject, const ReferenceFields& reference, const std::string& algorithm, const std::vector<Field>& repetitions, Comparison& comparison);
 
+/// One map for each grid, or one for the picture; free points are one row.
+///
+/// errors  #V  (value - reference) / scale
+std::vector<ErrorMap> mapsOf(const Subject& subject, const std::string& algorithm, const Field& errors);
+
+/// #V  (value - truth) / scale
+Field relativeErrors(const ReferenceFields& reference, const Field& values);
+
+/// The mean of some fields of one size, at least one.
+Field meanOf(const std::vector<Field>& repetitions);
+
 /// The grids of a subject and their points; nothing of a picture.
 void addGrids(const Subject& subject, Comparison& comparison);
 

@@ -55,6 +55,9 @@ LogPlot frameOf(const QRectF& area, const std::vector<Curve>& curves, double flo
     return logPlotOf(area, 0.9 * t0, 1.1 * t1, 0.8 * e0, 1.15 * e1);
 }
 
+/// Within the area, where the axes are.
+QRectF innerOf(const QRectF& area) { return {area.left() + 11, area.top() + 6, area.width() - 11 - kLabelsMm, area.height() - 6 - 10}; }
+
 /// Shapes beside colours, so that a print in grey tells curves apart too.
 void drawMarker(Canvas& canvas, const QPointF& p, std::size_t index, QColor colour) {
     const double r = kMarkerMm;
@@ -117,13 +120,13 @@ std::vector<double> labelHeights(const LogPlot& plot, const std::vector<Curve>& 
     return y;
 }
 
-void drawLabels(Canvas& canvas, const LogPlot& plot, const Comparison& c, const std::string& subject, std::vector<Curve> curves) {
+void drawLabels(Canvas& canvas, const LogPlot& plot, const Comparison& c, const std::string& subject, std::vector<Curve> curves, const PlotInks& inks) {
     std::ranges::stable_sort(curves, std::greater<>{}, &Curve::lastError);
     const auto heights = labelHeights(plot, curves);
     const double x = plot.area.right() + 7;
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const auto& curve = curves[i];
-        const auto colour = colourOf(c, curve.algorithm);
+        const auto colour = colourOf(c, curve.algorithm, inks);
         const auto end = plot.at(curve.runs.back()->seconds, curve.lastError());
         auto faint = colour;
         faint.setAlpha(110);
@@ -131,23 +134,25 @@ void drawLabels(Canvas& canvas, const LogPlot& plot, const Comparison& c, const 
         drawMarker(canvas, {x - 1, heights[i]}, curve.index, colour);
         const auto name = type::kStrong.with(colour);
         canvas.text(x + 1.4, heights[i] + Canvas::capHeight(name) / 2, canvas.elided(line(curve.algorithm), kLabelsMm - 9, name), name);
-        canvas.text(x + 1.4, heights[i] + Canvas::capHeight(name) / 2 + 3.1, detailOf(c, subject, curve), type::kSmall);
+        canvas.text(x + 1.4, heights[i] + Canvas::capHeight(name) / 2 + 3.1, detailOf(c, subject, curve), type::kSmall.with(inks.quiet));
     }
 }
 
 /// What the reference cannot tell.
-void drawFloor(Canvas& canvas, const LogPlot& plot, double floor) {
+void drawFloor(Canvas& canvas, const LogPlot& plot, double floor, const PlotInks& inks) {
     if (!(floor > plot.bottom())) return;
     const double y = plot.at(plot.left(), floor).y();
-    canvas.fillRect({plot.area.left(), y, plot.area.width(), plot.area.bottom() - y}, ink::kPale);
-    canvas.text(plot.area.left() + 2, std::min(y + 4, plot.area.bottom() - 1.5), line("below the reference's own noise, " + formatPercent(floor)), type::kSmall);
+    canvas.fillRect({plot.area.left(), y, plot.area.width(), plot.area.bottom() - y}, inks.shade);
+    canvas.text(plot.area.left() + 2, std::min(y + 4, plot.area.bottom() - 1.5), line("below the reference's own noise, " + formatPercent(floor)), type::kSmall.with(inks.quiet));
 }
 
 }  // namespace
 
-QColor colourOf(const Comparison& comparison, const std::string& algorithm) {
+QColor colourOf(const Comparison& comparison, const std::string& algorithm, const PlotInks& inks) {
     const auto at = std::ranges::find(comparison.algorithms, algorithm, &ComparedAlgorithm::name) - comparison.algorithms.begin();
-    return kColours[static_cast<std::size_t>(at) % kColours.size()];
+    const auto& colour = kColours[static_cast<std::size_t>(at) % kColours.size()];
+    if (!inks.onDark) return colour;
+    return colour.lightness() < 40 ? inks.text : colour.lightness() < 110 ? colour.lighter(150) : colour;
 }
 
 QString slopeText(const ComparedSlope& slope) {
@@ -160,23 +165,33 @@ QString referenceText(const ComparedReference& r) {
     return line(fmt::format("{} {}; reference by {}, known to ± {} (95 %)", formatCount(r.values), r.picture ? "pixels" : "points", r.algorithm, formatPercent(r.relativeError)));
 }
 
-void drawErrorCurves(Canvas& canvas, const QRectF& area, const Comparison& c, const ComparedReference& reference) {
+std::vector<PlottedRun> plottedRuns(const QRectF& area, const Comparison& c, const ComparedReference& reference) {
+    const auto curves = curvesOf(c, reference.subject);
+    if (curves.empty()) return {};
+    const auto plot = frameOf(innerOf(area), curves, reference.relativeError / kSigma95);
+    std::vector<PlottedRun> out;
+    for (const auto& curve : curves)
+        for (const auto* run : curve.runs) out.push_back({run, plot.at(run->seconds, run->rms.value_or(run->rmsAtMost))});
+    return out;
+}
+
+void drawErrorCurves(Canvas& canvas, const QRectF& area, const Comparison& c, const ComparedReference& reference, const PlotInks& inks) {
     const auto curves = curvesOf(c, reference.subject);
     if (curves.empty()) {
-        canvas.text(area.left(), area.top() + 6, "No run was finished: there is nothing to plot.", type::kBody);
+        canvas.text(area.left(), area.top() + 6, "No run was finished: there is nothing to plot.", type::kBody.with(inks.text));
         return;
     }
     const double floor = reference.relativeError / kSigma95;
-    const QRectF inner(area.left() + 11, area.top() + 6, area.width() - 11 - kLabelsMm, area.height() - 6 - 10);
+    const auto inner = innerOf(area);
     const auto plot = frameOf(inner, curves, floor);
-    drawFloor(canvas, plot, floor);
-    drawLogAxes(canvas, plot, c.coreTime ? "Run time in core seconds, preparation included" : "Run time in s, preparation included", "Root mean square error relative to the value, in %");
+    drawFloor(canvas, plot, floor, inks);
+    drawLogAxes(canvas, plot, c.coreTime ? "Run time in core seconds, preparation included" : "Run time in s, preparation included", "Root mean square error relative to the value, in %", inks);
     const auto* guide = curves.front().runs.front();  // through the first run of the first algorithm
-    drawHalfSlope(canvas, plot, guide->seconds, guide->rms.value_or(guide->rmsAtMost));
-    for (std::size_t i = curves.size(); i-- > 0;) drawCurve(canvas, plot, curves[i], colourOf(c, curves[i].algorithm));
-    drawLabels(canvas, plot, c, reference.subject, curves);
-    canvas.stroke(inner.left(), area.bottom() - 2.3, inner.left() + 7, area.bottom() - 2.3, ink::kGrey, 0.25, Qt::DashLine);
-    canvas.text(inner.left() + 9, area.bottom() - 1.4, "slope −1/2: noise alone", type::kSmall);
+    drawHalfSlope(canvas, plot, guide->seconds, guide->rms.value_or(guide->rmsAtMost), inks);
+    for (std::size_t i = curves.size(); i-- > 0;) drawCurve(canvas, plot, curves[i], colourOf(c, curves[i].algorithm, inks));
+    drawLabels(canvas, plot, c, reference.subject, curves, inks);
+    canvas.stroke(inner.left(), area.bottom() - 2.3, inner.left() + 7, area.bottom() - 2.3, inks.quiet, 0.25, Qt::DashLine);
+    canvas.text(inner.left() + 9, area.bottom() - 1.4, "slope −1/2: noise alone", type::kSmall.with(inks.quiet));
 }
 
 }  // namespace luxdeck::report

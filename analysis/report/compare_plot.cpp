@@ -1,7 +1,9 @@
 #include "analysis/report/compare_plot.h"
 
+#include "analysis/compare/compare_folder.h"
 #include "analysis/report/compare_drawing.h"
 #include "analysis/report/drawing_file.h"
+#include "engine/core/file.h"
 
 #include <fmt/format.h>
 
@@ -46,6 +48,19 @@ Result<std::string> comparePlot(const Comparison& comparison, const std::string&
 Result<std::string> errorPlans(const Comparison& comparison, SheetFormat format) {
     const double height = 28 + errorPlansHeightMm(comparison, kRight - kLeft) + 3;
     return drawingFile({line(comparison.project + ": where the errors are"), kWidth, height, [&](Canvas& canvas) { drawPlans(canvas, comparison, height); }}, format);
+}
+
+Result<void> writeComparePlots(const Comparison& comparison, const std::filesystem::path& folder) {
+    const auto write = [&](const std::string& name, SheetFormat format, const Result<std::string>& drawing) {
+        return drawing ? writeFileAtomically(folder / (name + extensionOf(format)), *drawing) : drawing.error();
+    };
+    for (const auto format : {SheetFormat::Svg, SheetFormat::Png, SheetFormat::Pdf}) {
+        for (const auto& reference : comparison.reference)
+            if (auto ok = write("error-against-time-" + fileNameOf(reference.subject), format, comparePlot(comparison, reference.subject, format)); !ok) return ok;
+        if (!comparison.grids.empty())
+            if (auto ok = write("errors-grids", format, errorPlans(comparison, format)); !ok) return ok;
+    }
+    return {};
 }
 
 }  // namespace luxdeck

@@ -3,6 +3,7 @@
 #include "analysis/compare/comparison.h"
 #include "analysis/report/sheet_format.h"
 
+#include <filesystem>
 #include <string>
 
 namespace luxdeck {
@@ -16,5 +17,10 @@ Result<std::string> comparePlot(const Comparison& comparison, const std::string&
 ///
 /// errors  OutOfResources: no font is installed
 Result<std::string> errorPlans(const Comparison& comparison, SheetFormat format);
+
+/// All of them as .svg, .png and .pdf into a folder that is there.
+///
+/// errors  those above, and of writeFileAtomically()
+Result<void> writeComparePlots(const Comparison& comparison, const std::filesystem::path& folder);
 
 }  // namespace luxdeck

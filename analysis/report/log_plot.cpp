@@ -53,28 +53,28 @@ LogPlot logPlotOf(const QRectF& area, double xLow, double xHigh, double yLow, do
     return {area, std::log10(xLow), std::log10(xHigh), std::log10(yLow), std::log10(yHigh)};
 }
 
-void drawLogAxes(Canvas& canvas, const LogPlot& plot, const QString& below, const QString& above) {
-    const TextStyle label{7, QFont::Normal, ink::kGrey};
+void drawLogAxes(Canvas& canvas, const LogPlot& plot, const QString& below, const QString& above, const PlotInks& inks) {
+    const TextStyle label{7, QFont::Normal, inks.quiet};
     for (const double t : logTicks(plot.x0, plot.x1)) {
         const auto p = plot.at(t, plot.bottom());
-        canvas.stroke(p.x(), plot.area.top(), p.x(), p.y(), ink::kLight, 0.15);
+        canvas.stroke(p.x(), plot.area.top(), p.x(), p.y(), inks.hairline, 0.15);
         canvas.text(p.x(), p.y() + 4, line(formatNumber(t, 2)), label.aligned(Align::Centre));
     }
     for (const double e : logTicks(plot.y0, plot.y1)) {
         const auto p = plot.at(plot.left(), e);
-        canvas.stroke(p.x(), p.y(), plot.area.right(), p.y(), ink::kLight, 0.15);
+        canvas.stroke(p.x(), p.y(), plot.area.right(), p.y(), inks.hairline, 0.15);
         canvas.text(p.x() - 1.6, p.y() + 0.9, line(formatNumber(e * 100, 2)), label.aligned(Align::Right));
     }
-    canvas.stroke(plot.area.left(), plot.area.bottom(), plot.area.right(), plot.area.bottom(), ink::kBlack, 0.3);
-    canvas.stroke(plot.area.left(), plot.area.top(), plot.area.left(), plot.area.bottom(), ink::kBlack, 0.3);
-    canvas.text(plot.area.right(), plot.area.bottom() + 8.5, below, type::kLabel.aligned(Align::Right));
-    canvas.text(plot.area.left() - kNumbersMm, plot.area.top() - 4, above, type::kLabel);
+    canvas.stroke(plot.area.left(), plot.area.bottom(), plot.area.right(), plot.area.bottom(), inks.text, 0.3);
+    canvas.stroke(plot.area.left(), plot.area.top(), plot.area.left(), plot.area.bottom(), inks.text, 0.3);
+    canvas.text(plot.area.right(), plot.area.bottom() + 8.5, below, type::kLabel.with(inks.quiet).aligned(Align::Right));
+    canvas.text(plot.area.left() - kNumbersMm, plot.area.top() - 4, above, type::kLabel.with(inks.quiet));
 }
 
-void drawHalfSlope(Canvas& canvas, const LogPlot& plot, double seconds, double error) {
+void drawHalfSlope(Canvas& canvas, const LogPlot& plot, double seconds, double error, const PlotInks& inks) {
     const auto at = [&](double t) { return plot.at(t, error * std::sqrt(seconds / t)); };
     canvas.clip(plot.area);
-    canvas.polyline(QPolygonF(QVector<QPointF>{at(plot.left()), at(plot.right())}), ink::kGrey, 0.25, Qt::DashLine);
+    canvas.polyline(QPolygonF(QVector<QPointF>{at(plot.left()), at(plot.right())}), inks.quiet, 0.25, Qt::DashLine);
     canvas.unclip();
 }
 

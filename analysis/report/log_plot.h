@@ -4,6 +4,12 @@
 
 namespace luxdeck::report {
 
+/// What a plot is drawn in: the report's inks, or those of a window.
+struct PlotInks {
+    QColor text = ink::kBlack, quiet = ink::kGrey, hairline = ink::kLight, shade = ink::kPale;
+    bool onDark = false;
+};
+
 /// Logarithmic axes over a rectangle of the page: seconds to the right, a relative error upwards.
 struct LogPlot {
     QRectF area;
@@ -22,9 +28,9 @@ LogPlot logPlotOf(const QRectF& area, double xLow, double xHigh, double yLow, do
 
 /// Axes, hairlines and numbers at 1, 2 and 5 times powers of ten; errors are numbered in %. Titles stand below at the right
 /// and above at the left.
-void drawLogAxes(Canvas& canvas, const LogPlot& plot, const QString& below, const QString& above);
+void drawLogAxes(Canvas& canvas, const LogPlot& plot, const QString& below, const QString& above, const PlotInks& inks = {});
 
 /// A dashed line of slope -1/2 through a point: the error of independent samples, which halves in four times the time.
-void drawHalfSlope(Canvas& canvas, const LogPlot& plot, double seconds, double error);
+void drawHalfSlope(Canvas& canvas, const LogPlot& plot, double seconds, double error, const PlotInks& inks = {});
 
 }  // namespace luxdeck::report

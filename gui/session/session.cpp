@@ -48,6 +48,7 @@ void Session::close() {
     volumeLight.clear();
     furnishing.clear();
     importing.clear();
+    comparing.clear();
     place.tell(Change::Document);
     place.tell(Change::Project);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gui/session/comparing.h"
 #include "gui/session/display.h"
 #include "gui/session/document.h"
 #include "gui/session/furnishing.h"
@@ -78,6 +79,7 @@ public:
     VolumeLight volumeLight{place};
     Furnishing furnishing{place, volumes};
     Importing importing{place};
+    Comparing comparing{place, volumes};
 
 private:
     void load(const std::string& text, bool afterEdit);

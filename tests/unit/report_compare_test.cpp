@@ -52,6 +52,29 @@ TEST(ReportCompare, ReadsWhatItWrites) {
     EXPECT_THAT(wrong.error().text(), HasSubstr("c.json: not a comparison"));
 }
 
+// Bug: the sizes of a grid's places and the finiteness of times and errors were taken on trust. Invariant: what readCompareJson()
+// lets pass can be drawn. Plans read as many x, y and z as there are errors, beyond the end of lists that were shorter; an infinite
+// time (null in the file) made an axis of endlessly many ticks.
+TEST(ReportCompare, RefusesWhatCouldNotBeDrawn) {
+    const auto refused = [](const Comparison& c) {
+        const auto read = readCompareJson(compareJson(c), "c.json");
+        return read ? std::string("let pass") : read.error().text();
+    };
+    auto c = example();
+    c.grids[0].y.pop_back();
+    EXPECT_THAT(refused(c), HasSubstr("grid \"Desk\" of 2 x 2 points has 4 x, 3 y and 4 z"));
+    for (double ComparedRun::* field : {&ComparedRun::seconds, &ComparedRun::rmsAtMost}) {
+        c = example();
+        c.runs[1].*field = std::numeric_limits<double>::infinity();
+        EXPECT_THAT(refused(c), HasSubstr("rung 1, is inf"));
+        c.runs[1].*field = -1;
+        EXPECT_THAT(refused(c), HasSubstr("rung 1, is -1"));
+    }
+    c = example();
+    c.maps[0].columns = 3;
+    EXPECT_THAT(refused(c), HasSubstr("a map of 3 x 2 has 4 errors"));
+}
+
 TEST(ReportCompare, SummaryOfKnownCurves) {
     const auto c = example();
     const auto path = std::find_if(c.slopes.begin(), c.slopes.end(), [](const auto& s) { return s.algorithm == "path"; });
