@@ -185,13 +185,17 @@ void drawErrorCurves(Canvas& canvas, const QRectF& area, const Comparison& c, co
     const auto inner = innerOf(area);
     const auto plot = frameOf(inner, curves, floor);
     drawFloor(canvas, plot, floor, inks);
-    drawLogAxes(canvas, plot, c.coreTime ? "Run time in core seconds, preparation included" : "Run time in s, preparation included", "Root mean square error relative to the value, in %", inks);
+    const QString below = c.coreTime ? "Run time in core seconds, preparation included" : "Run time in s, preparation included";
+    drawLogAxes(canvas, plot, below, "Root mean square error relative to the value, in %", inks);
     const auto* guide = curves.front().runs.front();  // through the first run of the first algorithm
     drawHalfSlope(canvas, plot, guide->seconds, guide->rms.value_or(guide->rmsAtMost), inks);
     for (std::size_t i = curves.size(); i-- > 0;) drawCurve(canvas, plot, curves[i], colourOf(c, curves[i].algorithm, inks));
     drawLabels(canvas, plot, c, reference.subject, curves, inks);
     canvas.stroke(inner.left(), area.bottom() - 2.3, inner.left() + 7, area.bottom() - 2.3, inks.quiet, 0.25, Qt::DashLine);
-    canvas.text(inner.left() + 9, area.bottom() - 1.4, "slope −1/2: noise alone", type::kSmall.with(inks.quiet));
+    // Beside the axis' title, as much as there is room for.
+    QString words = "slope −1/2: noise alone";
+    if (canvas.textWidth(words, type::kSmall) + canvas.textWidth(below, type::kLabel) > inner.width() - 13) words = "slope −1/2";
+    canvas.text(inner.left() + 9, area.bottom() - 1.4, words, type::kSmall.with(inks.quiet));
 }
 
 }  // namespace luxdeck::report

@@ -3,6 +3,7 @@
 #include "analysis/report/number_format.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace luxdeck::report {
 
@@ -99,11 +100,11 @@ double tableRight(const std::vector<TableColumn>& columns) {
 
 }  // namespace
 
-Document::Document(QPdfWriter& writer, Canvas& canvas, const ReportContents& contents, const Pagination* known)
-    : writer_(writer), canvas_(canvas), contents_(contents), known_(known) {}
+Document::Document(std::function<void()> newPage, Canvas& canvas, const ReportContents& contents, const Pagination* known)
+    : newPage_(std::move(newPage)), canvas_(canvas), contents_(contents), known_(known) {}
 
 void Document::turn() {
-    if (found_.pages > 0) writer_.newPage();
+    if (found_.pages > 0) newPage_();
     ++found_.pages;
     if (!contents_.solve.complete) incompleteBand();
 }

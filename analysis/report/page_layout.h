@@ -3,8 +3,7 @@
 #include "analysis/report/canvas.h"
 #include "analysis/report/report_contents.h"
 
-#include <QPdfWriter>
-
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -36,7 +35,8 @@ struct Pagination {
 /// twice: the first pass finds the Pagination that the second prints.
 class Document {
 public:
-    Document(QPdfWriter& writer, Canvas& canvas, const ReportContents& contents, const Pagination* known);
+    /// newPage  what the canvas draws on becomes the next page
+    Document(std::function<void()> newPage, Canvas& canvas, const ReportContents& contents, const Pagination* known);
 
     /// A page without header and footer, for the cover.
     void startCover();
@@ -62,7 +62,7 @@ private:
     void incompleteBand();
     void footer();
 
-    QPdfWriter& writer_;
+    std::function<void()> newPage_;
     Canvas& canvas_;
     const ReportContents& contents_;
     const Pagination* known_;

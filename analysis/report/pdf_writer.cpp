@@ -1,16 +1,7 @@
 #include "analysis/report/pdf_writer.h"
 
-#include "analysis/compare/compare_output.h"
-#include "analysis/report/compare_page.h"
-#include "analysis/report/convergence_page.h"
-#include "analysis/report/cover_page.h"
-#include "analysis/report/method_page.h"
 #include "analysis/report/offscreen.h"
-#include "analysis/report/page_layout.h"
-#include "analysis/report/plan_page.h"
-#include "analysis/report/schedule_page.h"
-#include "analysis/report/summary_page.h"
-#include "analysis/report/views_page.h"
+#include "analysis/report/report_drawing.h"
 #include "engine/core/file.h"
 
 #include <QBuffer>
@@ -27,24 +18,6 @@ namespace {
 
 using namespace report;
 
-constexpr int kDotsPerInch = 1200;
-
-void layOut(QPdfWriter& writer, const ReportContents& contents, const QString& family, const Pagination* known,
-            Pagination& found) {
-    QPainter painter(&writer);
-    Canvas canvas(painter, kDotsPerInch / 25.4, family);
-    Document document(writer, canvas, contents, known);
-    drawCover(document);
-    drawSummary(document);
-    drawViews(document);
-    for (std::size_t i = 0; i < contents.solve.grids.size(); ++i) drawGridPage(document, i);
-    drawSchedule(document);
-    drawConvergence(document);
-    drawComparison(document);
-    drawMethod(document);
-    found = document.pagination();
-}
-
 std::string onePass(const ReportContents& contents, const QString& family, const Pagination* known, Pagination& found) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -56,19 +29,11 @@ std::string onePass(const ReportContents& contents, const QString& family, const
         writer.setResolution(kDotsPerInch);
         writer.setTitle(line(contents.info.name + " — lighting report"));
         writer.setCreator(line("Luxdeck " + contents.solve.version));
-        layOut(writer, contents, family, known, found);
+        QPainter painter(&writer);
+        Canvas canvas(painter, kDotsPerInch / 25.4, family);
+        found = drawReport(canvas, [&] { writer.newPage(); }, contents, known);
     }
     return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
-}
-
-Result<void> checkViews(const ReportContents& contents) {
-    for (const auto& view : contents.views) {
-        const auto picture = QImage::fromData(reinterpret_cast<const uchar*>(view.png.data()), static_cast<int>(view.png.size()));
-        if (picture.isNull())
-            return Error{ErrorCode::InvalidArgument, fmt::format("{} bytes that are no picture, expected a PNG", view.png.size()),
-                         fmt::format("view \"{}\"", view.name)};
-    }
-    return {};
 }
 
 }  // namespace
@@ -89,9 +54,7 @@ Result<std::string> pngBytes(const DisplayImage& image) {
 Result<std::string> pdfBytes(const ReportContents& contents) {
     ensureApplication();
     const FixedHashOrder fixedOrder;
-    if (auto checked = checkViews(contents); !checked) return checked.error();
-    if (contents.comparison)
-        if (const auto comparison = readCompareJson(*contents.comparison, "comparison"); !comparison) return comparison.error();
+    if (auto possible = checkReport(contents); !possible) return possible.error();
     const auto installed = requireFont();
     if (!installed) return installed.error();
     const QString& family = *installed;

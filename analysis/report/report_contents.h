@@ -5,6 +5,7 @@
 #include "engine/core/image.h"
 #include "engine/io/project.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,6 +62,9 @@ struct NamedText {
     std::string text;
 };
 
+/// What a report may be without; cover and summary are always there, views and comparison where there are any.
+enum class ReportSection { Grids, Schedule, Accuracy, Method };
+
 /// Everything the report prints, as plain data: the same contents give the same PDF, byte for byte.
 struct ReportContents {
     ProjectInfo info;
@@ -74,7 +78,12 @@ struct ReportContents {
     std::vector<ReportView> views;
     std::optional<std::string> comparison;  // of algorithms on this project, as compareJson() writes it
     std::string methodText;          // what the algorithm does, a paragraph
+    std::optional<std::vector<ReportSection>> leftOut;  // sections that are not printed
     std::vector<NamedText> facts;    // machine, libraries, settings: printed on the method page as they are
+
+    [[nodiscard]] bool has(ReportSection section) const {
+        return !leftOut || std::find(leftOut->begin(), leftOut->end(), section) == leftOut->end();
+    }
 };
 
 /// The bytes of a PNG file of `image`. Deterministic.

@@ -25,6 +25,12 @@ struct EnumNames<GridKind> {
     static constexpr const char* kAll = "planar or cylindrical";
 };
 template <>
+struct EnumNames<ReportSection> {
+    static constexpr std::array<std::pair<ReportSection, const char*>, 4> kNames{
+        {{ReportSection::Grids, "grids"}, {ReportSection::Schedule, "schedule"}, {ReportSection::Accuracy, "accuracy"}, {ReportSection::Method, "method"}}};
+    static constexpr const char* kAll = "grids, schedule, accuracy or method";
+};
+template <>
 struct EnumNames<PlanLine> {
     static constexpr std::array<std::pair<PlanLine, const char*>, 3> kNames{
         {{PlanLine::Solid, "solid"}, {PlanLine::Glass, "glass"}, {PlanLine::Furniture, "furniture"}}};
@@ -118,7 +124,7 @@ template <class A> void visit(A& a, SolveResult& x) {
 template <class A> void visit(A& a, ReportContents& x) {
     a("info", x.info), a("created", x.created), a("schedule", x.schedule), a("floorAreaM2", x.floorAreaM2);
     a("floorAreaSource", x.floorAreaSource), a("materials", x.materials), a("plan", x.plan), a("solve", x.solve);
-    a("views", x.views), a("comparison", x.comparison), a("methodText", x.methodText), a("facts", x.facts);
+    a("views", x.views), a("comparison", x.comparison), a("methodText", x.methodText), a("leftOut", x.leftOut), a("facts", x.facts);
 }
 
 }  // namespace luxdeck::fields

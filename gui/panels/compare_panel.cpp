@@ -9,6 +9,7 @@
 #include "gui/panels/text.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -163,7 +164,7 @@ void ComparePanel::fillOrder() {
         const auto* run = largestRun(c, place.subject, place.algorithm);
         setRow(order_, row, {QString::number(place.place) + (tie ? tr(" (tie)") : QString()), qt(place.algorithm),
                              run->rms ? percent(*run->rms, run->rmsCi95) : tr("≤ %1 %").arg(qt(numberText(100 * run->rmsAtMost))),
-                             run->bias ? percent(*run->bias, run->biasCi95) : tr("none seen"), tr("%1 s").arg(qt(numberText(run->seconds))), tr("%1 s").arg(qt(numberText(run->setupSeconds))),
+                             run->bias ? percent(*run->bias, run->biasCi95) : tr("none seen"), tr("%1 s").arg(qt(numberText(run->seconds))), run->setupSeconds < 1e-3 ? tr("none") : tr("%1 s").arg(qt(numberText(run->setupSeconds))),
                              timeText(c, place.subject, place.algorithm, 0.05), timeText(c, place.subject, place.algorithm, 0.01)});
         order_->item(row, 1)->setForeground(report::colourOf(c, place.algorithm, {palette().color(QPalette::Text), {}, {}, {}, inks.onDark}));
     }
@@ -216,6 +217,11 @@ void ComparePanel::showRun() {
         delete item;
     }
     for (const auto& picture : pictures) pictures_->insertWidget(pictures_->count() - 1, new RunPictureBox(picture));
+}
+
+void ComparePanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) refresh();  // names in the table are in the curves' colours
 }
 
 void ComparePanel::saveAs() {

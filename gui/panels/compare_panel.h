@@ -34,6 +34,9 @@ public slots:
 signals:
     void failed(const QString& why);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     QWidget* makeResults();
     void refresh();

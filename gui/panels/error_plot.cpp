@@ -37,7 +37,7 @@ QString figuresOf(const ComparedRun& run) {
 
 }  // namespace
 
-ErrorPlot::ErrorPlot(QWidget* parent) : QWidget(parent), family_(font().family()) {
+ErrorPlot::ErrorPlot(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setObjectName(QStringLiteral("errorPlot"));
     setAccessibleName(tr("Error against run time"));
@@ -98,7 +98,7 @@ void ErrorPlot::paintEvent(QPaintEvent*) {
                          subject == nullptr ? tr("The reference is being measured first; curves begin after it.") : tr("The first runs are on their way."));
         return;
     }
-    report::Canvas canvas(painter, dotsPerMm(), family_);
+    report::Canvas canvas(painter, dotsPerMm(), font().family());
     report::drawErrorCurves(canvas, areaMm(), *comparison_, *subject, inksOf(palette()));
     if (const auto at = placeOf(picked_)) {
         painter.setPen(QPen(palette().color(QPalette::Highlight), 2.5));

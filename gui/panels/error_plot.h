@@ -43,7 +43,6 @@ private:
     std::shared_ptr<const Comparison> comparison_;
     std::string subject_;
     RunKey picked_;
-    QString family_;
 };
 
 }  // namespace luxdeck::gui

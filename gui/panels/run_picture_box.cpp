@@ -8,11 +8,15 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace luxdeck::gui {
 
 namespace {
 
-/// Keeps the picture's shape at any width.
+constexpr int kMostHeight = 190;
+
+/// Keeps the picture's shape at any width, and leaves room for the next one.
 class Fitted : public QWidget {
 public:
     explicit Fitted(const QImage& image) : image_(image) {
@@ -22,7 +26,7 @@ public:
         setSizePolicy(policy);
     }
     [[nodiscard]] bool hasHeightForWidth() const override { return true; }
-    [[nodiscard]] int heightForWidth(int width) const override { return image_.isNull() ? 0 : width * image_.height() / image_.width(); }
+    [[nodiscard]] int heightForWidth(int width) const override { return image_.isNull() ? 0 : std::min(kMostHeight, width * image_.height() / image_.width()); }
     [[nodiscard]] QSize sizeHint() const override { return {240, heightForWidth(240)}; }
 
 protected:

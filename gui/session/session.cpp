@@ -49,6 +49,7 @@ void Session::close() {
     furnishing.clear();
     importing.clear();
     comparing.clear();
+    reporting.clear();
     place.tell(Change::Document);
     place.tell(Change::Project);
 }
@@ -84,6 +85,7 @@ void Session::arrived(std::shared_ptr<const LitProject> project) {
     volumes.follow();
     furnishing.follow();
     pictures.follow();
+    reporting.follow();
     place.tell(Change::Project);
 }
 

@@ -6,6 +6,7 @@
 #include "gui/session/furnishing.h"
 #include "gui/session/importing.h"
 #include "gui/session/pictures.h"
+#include "gui/session/reporting.h"
 #include "gui/session/selection.h"
 #include "gui/session/solving.h"
 #include "gui/session/volume_light.h"
@@ -80,6 +81,7 @@ public:
     Furnishing furnishing{place, volumes};
     Importing importing{place};
     Comparing comparing{place, volumes};
+    Reporting reporting{place, solving, comparing};
 
 private:
     void load(const std::string& text, bool afterEdit);

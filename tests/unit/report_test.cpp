@@ -1,4 +1,5 @@
 #include "analysis/report/number_format.h"
+#include "analysis/report/page_images.h"
 #include "analysis/report/pdf_writer.h"
 #include "analysis/report/plan_section.h"
 #include "analysis/report/report_gather.h"
@@ -150,6 +151,40 @@ TEST_F(ReportFiles, AnIncompleteResultSaysSoOnEveryPage) {
     for (std::size_t from = 0, end = text.find('\f'); end != std::string::npos; from = end + 1, end = text.find('\f', from), ++pages)
         EXPECT_THAT(text.substr(from, end - from), HasSubstr("INCOMPLETE RESULT")) << "page " << pages + 1;
     EXPECT_GT(pages, 5);
+}
+
+TEST(ReportPdf, WhatIsLeftOutIsNotPrintedAndTheTwinSaysSo) {
+    auto contents = example::office();
+    const auto all = PageImages::create(contents);
+    ASSERT_TRUE(all);
+    std::size_t less = all->count();
+    contents.leftOut.emplace();
+    for (const auto section : {ReportSection::Grids, ReportSection::Schedule, ReportSection::Accuracy, ReportSection::Method}) {
+        contents.leftOut->push_back(section);
+        const auto pages = PageImages::create(contents);
+        ASSERT_TRUE(pages);
+        EXPECT_LT(pages->count(), less);
+        less = pages->count();
+        const auto again = fromJson(*toJson(contents));
+        ASSERT_TRUE(again) << again.error().text();
+        EXPECT_TRUE(again->leftOut == contents.leftOut);
+        EXPECT_EQ(pdfBytes(*again).value(), pdfBytes(contents).value());
+    }
+}
+
+TEST(ReportPdf, PagesOnTheScreenAreThoseOfThePdf) {
+    const auto pages = PageImages::create(example::office());
+    ASSERT_TRUE(pages);
+    const auto pdf = pdfBytes(example::office());
+    ASSERT_TRUE(pdf);
+    std::size_t inPdf = 0;
+    for (auto at = pdf->find("/Type /Page\n"); at != std::string::npos; at = pdf->find("/Type /Page\n", at + 1)) ++inPdf;
+    EXPECT_EQ(pages->count(), inPdf);
+    const auto all = pages->all(2);
+    ASSERT_EQ(all.size(), inPdf);
+    EXPECT_EQ(pages->page(1, 2).rgb, all[1].rgb);
+    EXPECT_EQ(pages->page(1, 4).width, 2 * all[1].width);
+    EXPECT_TRUE(pages->page(inPdf, 2).rgb.empty());
 }
 
 TEST(ReportPdf, StandsExtremeContents) {
