@@ -4,6 +4,7 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QCheckBox>
 #include <QTest>
 #include <QWidget>
 
@@ -22,7 +23,9 @@ T* found(QWidget& in, const char* name) {
 
 inline void click(QWidget& in, const char* name) {
     auto* button = found<QAbstractButton>(in, name);
-    QTest::mouseClick(button, Qt::LeftButton, {}, button->rect().center());
+    // A box is clicked at its left: room right of its text does nothing.
+    const auto at = qobject_cast<QCheckBox*>(button) != nullptr ? QPoint(10, button->height() / 2) : button->rect().center();
+    QTest::mouseClick(button, Qt::LeftButton, {}, at);
 }
 
 /// What a widget looks like, in light and dark at two sizes, into the folder that LUXDECK_PICTURES names: to be looked at.
