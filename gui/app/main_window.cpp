@@ -2,7 +2,9 @@
 
 #include "gui/app/job_bar.h"
 #include "gui/app/start_page.h"
+#include "gui/panels/compare_panel.h"
 #include "gui/panels/picture_panel.h"
+#include "gui/panels/report_panel.h"
 #include "gui/panels/show_panel.h"
 #include "gui/panels/text.h"
 #include "gui/panels/volume_panel.h"
@@ -67,7 +69,11 @@ void MainWindow::makeWorkspaces() {
     picture_->setCamera([this] { return views_->cameraAsView("camera"); });
     room_->setCentralWidget(views_);
     workspaces_->addTab(room_, tr("Room"));
+    compare_ = new ComparePanel(session_);
+    report_ = new ReportPanel(session_);
     workspaces_->addTab(picture_, tr("Pictures"));
+    workspaces_->addTab(compare_, tr("Compare"));
+    workspaces_->addTab(report_, tr("Report"));
     connect(views_, &ViewArea::probed, probe_, &QLabel::setText);
     connect(views_, &ViewArea::activeChanged, this, [this](int index) {
         show_->setView(static_cast<std::size_t>(index));
@@ -77,7 +83,10 @@ void MainWindow::makeWorkspaces() {
     connect(views_, &ViewArea::luminaireDragged, this, [this](int index, const Vec3d& moveM, bool done) {
         if (done && moveM != Vec3d(0, 0, 0)) change("Move luminaire", edits::changeLuminaires(session_.project(), {static_cast<std::size_t>(index)}, {.moveBy = moveM}));
     });
-    connect(picture_, &PicturePanel::failed, this, [this](const QString& why) { session_.place.complain({ErrorCode::InvalidArgument, why.toStdString(), {}}); });
+    const auto complain = [this](const QString& why) { session_.place.complain({ErrorCode::InvalidArgument, why.toStdString(), {}}); };
+    connect(picture_, &PicturePanel::failed, this, complain);
+    connect(compare_, &ComparePanel::failed, this, complain);
+    connect(report_, &ReportPanel::failed, this, complain);
 }
 
 void MainWindow::heard(Change change) {

@@ -17,8 +17,10 @@ class QTimer;
 
 namespace luxdeck::gui {
 
+class ComparePanel;
 class FurniturePanel;
 class PicturePanel;
+class ReportPanel;
 class ResultsPanel;
 class ShowPanel;
 class SolvePanel;
@@ -114,6 +116,8 @@ private:
     QMainWindow* room_;  // the page Room: views in the middle, docks around them
     ViewArea* views_;
     PicturePanel* picture_;
+    ComparePanel* compare_;
+    ReportPanel* report_;
     ResultsPanel* results_;
     ShowPanel* show_;
     SolvePanel* solve_;

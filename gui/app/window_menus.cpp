@@ -195,6 +195,8 @@ void MainWindow::calculateMenu() {
         showDock(volumeDock_);
         volume_->build();
     });
+    command(menu, Needs::Project, {"compare", "&Compare algorithms", "Ctrl+Shift+A", "Error against run time, on the page Compare"}, [this] { showWorkspace(Workspace::Compare); });
+    command(menu, Needs::Project, {"report", "R&eport", "Ctrl+P", "What the client gets, on the page Report"}, [this] { showWorkspace(Workspace::Report); });
     command(menu, Needs::Nothing, {"stopAll", "S&top everything", "Ctrl+.", "Cancels all background work; what is known is kept"}, [this] { session_.place.jobs.cancelAll(); });
 }
 
