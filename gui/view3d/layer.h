@@ -31,6 +31,9 @@ public:
     /// layer has changed (it remembers what it built from). Returns whether the picture changes.
     virtual bool update(const Session& session, const ViewSettings& view, const ResolvedScale& scale) = 0;
 
+    /// While the camera moves only what shows the way is drawn, so that frames come quickly; all of it when it stands still.
+    virtual void setMoving(bool /*moving*/) {}
+
     /// Text at places of what update() has made.
     virtual void annotate(std::vector<Annotation>&) const {}
 };

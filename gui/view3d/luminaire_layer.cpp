@@ -104,8 +104,9 @@ void LuminaireLayer::rebuildSelected() {
 
 void LuminaireLayer::restyle() {
     const bool any = shown_ && scene() != nullptr;
-    for (auto* drawn : {&bodies_, &outlines_}) drawn->actor->SetVisibility(any);
-    solids_.actor->SetVisibility(any && allSolids_);
+    bodies_.actor->SetVisibility(any);
+    outlines_.actor->SetVisibility(any && !moving_);
+    solids_.actor->SetVisibility(any && allSolids_ && !moving_);
     for (auto* drawn : {&selectedBody_, &selectedOutline_, &selectedSolid_, &aim_}) drawn->actor->SetVisibility(any && selected_ >= 0);
     const auto edge = rgbOf(colours_.edge), accent = rgbOf(colours_.accent);
     outlines_.actor->GetProperty()->SetColor(edge[0], edge[1], edge[2]);
@@ -154,6 +155,11 @@ void LuminaireLayer::annotate(std::vector<Annotation>& to) const {
 
 void LuminaireLayer::setColours(const ViewColours& colours) {
     colours_ = colours;
+    restyle();
+}
+
+void LuminaireLayer::setMoving(bool moving) {
+    moving_ = moving;
     restyle();
 }
 

@@ -20,6 +20,7 @@ public:
     LuminaireLayer(vtkRenderer& renderer, const SharedScene& shared);
 
     bool update(const Session& session, const ViewSettings& view, const ResolvedScale& scale) override;
+    void setMoving(bool moving) override;
     void annotate(std::vector<Annotation>& to) const override;
     void setColours(const ViewColours& colours);
     /// Shows the selected luminaire elsewhere than it is, until the next project.
@@ -44,7 +45,7 @@ private:
     Drawn bodies_, outlines_, solids_;
     Drawn selectedOutline_, selectedSolid_, selectedBody_, aim_;
     std::int64_t selected_ = -1;
-    bool shown_ = true, allSolids_ = false;
+    bool shown_ = true, allSolids_ = false, moving_ = false;
     CutPlane cut_;
     vtkNew<vtkPlane> section_;
     ViewColours colours_;

@@ -58,8 +58,8 @@ void RoomLayer::restyle() {
     for (const auto& shown : shown_) {
         const bool leftOut = leftOut_ >= 0 && shown->part->movable == leftOut_;
         const bool hidden = none || leftOut || (hiddenSides_ >> static_cast<unsigned>(shown->part->side) & 1U) != 0;
-        shown->faces->SetVisibility(!hidden && !wire);
-        shown->edges->SetVisibility(!hidden);
+        shown->faces->SetVisibility(!hidden && !wire && !(moving_ && shown->part->glass));
+        shown->edges->SetVisibility(!hidden && (wire || !moving_));
         shown->faceMapper->SelectColorArray(view_.surfaces == SurfaceLook::Plain ? "plain" : "materials");
         shown->faces->GetProperty()->SetOpacity(shown->part->glass ? kGlassOpacity : 1);
         const auto edge = rgbOf(wire ? colours_.ink : colours_.edge);
@@ -125,6 +125,11 @@ bool RoomLayer::hideSides(std::uint32_t sides) {
     hiddenSides_ = sides;
     restyle();
     return true;
+}
+
+void RoomLayer::setMoving(bool moving) {
+    moving_ = moving;
+    restyle();
 }
 
 bool RoomLayer::setColours(const ViewColours& colours) {

@@ -26,6 +26,8 @@ public:
     bool update(const Session& session, const ViewSettings& view, const ResolvedScale& scale) override;
     /// Which sides are left out (SceneParts::sidesInTheWay). Returns whether the picture changes.
     bool hideSides(std::uint32_t sides);
+    /// Without its lines and panes: they take half of a frame.
+    void setMoving(bool moving) override;
     bool setColours(const ViewColours& colours);
     /// Shows an object elsewhere than it is, until the next project.
     void place(std::uint32_t object, const vtkMatrix4x4& where);
@@ -56,6 +58,7 @@ private:
     ViewColours colours_;
     std::uint32_t hiddenSides_ = 0;
     std::int64_t leftOut_ = -1;
+    bool moving_ = false;
 };
 
 }  // namespace luxdeck::gui

@@ -9,6 +9,7 @@
 #include "gui/view3d/slice_layer.h"
 #include "gui/view3d/view_overlay.h"
 
+#include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QMouseEvent>
 
@@ -22,7 +23,9 @@ namespace luxdeck::gui {
 namespace {
 
 constexpr int kSamePlacePixels = 3;
-constexpr int kRestMs = 120;      // after the last motion texts are looked through again for what hides them
+constexpr int kRestMs = 200;      // after the last motion all is drawn again, and texts looked through for what hides them
+constexpr int kSamples = 4;       // a pixel, when nothing moves
+constexpr qint64 kSmoothMs = 40;  // a frame; what takes longer is not drawn whole while it moves
 
 }  // namespace
 
@@ -35,7 +38,7 @@ SceneView::SceneView(Session& session, const SharedScene& shared, std::size_t in
     setMinimumSize(160, 120);
 
     vtkNew<vtkGenericOpenGLRenderWindow> window;
-    window->SetMultiSamples(4);
+    window->SetMultiSamples(kSamples);
     setRenderWindow(window);
     renderer_->SetGradientBackground(true);
     window->AddRenderer(renderer_);
@@ -63,7 +66,7 @@ SceneView::SceneView(Session& session, const SharedScene& shared, std::size_t in
     connect(&render_, &QTimer::timeout, this, &SceneView::renderNow);
     rest_.setSingleShot(true);
     rest_.setInterval(kRestMs);
-    connect(&rest_, &QTimer::timeout, this, &SceneView::reannotate);
+    connect(&rest_, &QTimer::timeout, this, &SceneView::comeToRest);
     applyPalette();
 }
 
@@ -145,8 +148,27 @@ void SceneView::setPose(const CameraPose& pose) {
     overlay_->setHint(hint());
     aimGizmo();
     applyPose();
+    keepMoving();
+}
+
+/// Draws less until nothing has moved for a while, where a whole frame takes long.
+void SceneView::keepMoving() {
+    setMoving(wholeFrameMs_ > kSmoothMs);
     requestRender();
     rest_.start();
+}
+
+void SceneView::setMoving(bool moving) {
+    if (moving == moving_) return;
+    moving_ = moving;
+    renderWindow()->SetMultiSamples(moving ? 0 : kSamples);
+    for (const auto& layer : layers_) layer->setMoving(moving);
+}
+
+void SceneView::comeToRest() {
+    if (moving_) requestRender();
+    setMoving(false);
+    reannotate();
 }
 
 void SceneView::applyPose() {
@@ -168,7 +190,12 @@ void SceneView::requestRender() {
 void SceneView::renderNow() {
     if (!isVisible() || !isValid()) return;
     applyPose();
+    QElapsedTimer clock;
+    clock.start();
     renderWindow()->Render();
+    if (moving_) return;
+    renderWindow()->WaitForCompletion();
+    wholeFrameMs_ = clock.elapsed();
 }
 
 /// Texts of all layers, and which of them nothing hides.
@@ -184,10 +211,12 @@ void SceneView::reannotate() {
 }
 
 void SceneView::finish() {
+    if (rest_.isActive()) {
+        rest_.stop();
+        comeToRest();
+    }
+    render_.stop();
     renderNow();
-    if (!rest_.isActive()) return;
-    rest_.stop();
-    reannotate();
 }
 
 QImage SceneView::picture() {
@@ -304,8 +333,7 @@ void SceneView::resizeEvent(QResizeEvent* event) {
     QVTKOpenGLNativeWidget::resizeEvent(event);
     overlay_->setGeometry(rect());
     aimGizmo();
-    requestRender();
-    rest_.start();
+    keepMoving();
 }
 
 void SceneView::changeEvent(QEvent* event) {

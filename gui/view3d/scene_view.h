@@ -12,6 +12,7 @@
 #include <QImage>
 #include <QTimer>
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -95,6 +96,9 @@ private:
     void applyPose();
     void requestRender();
     void renderNow();
+    void keepMoving();
+    void setMoving(bool moving);
+    void comeToRest();
     void aimGizmo();
     /// What is in hand stands where the hand is.
     void placeInHand();
@@ -122,6 +126,8 @@ private:
     Gizmo gizmo_;
     std::unique_ptr<Navigator> navigator_;
     QTimer render_, rest_;
+    bool moving_ = false;                    // drawn without what takes long
+    qint64 wholeFrameMs_ = std::numeric_limits<qint64>::max();  // of the last frame that was drawn whole
     QPoint lastClick_{-100, -100};
     std::size_t clickDepth_ = 0;             // which of the things under the cursor was picked last
 };

@@ -115,7 +115,7 @@ void SceneView::placeSelected(const GizmoMotion& motion) {
         room_->place(static_cast<std::uint32_t>(index), *matrix);
     else
         luminaires_->placeSelected(*matrix);
-    requestRender();
+    keepMoving();
 }
 
 }  // namespace luxdeck::gui

@@ -1,4 +1,4 @@
-// How long a frame takes in each kind of view while the room is turned, as it comes to the screen, by Mesa's software
+// How long a frame takes in each kind of view, while the room is turned and whole, as it comes to the screen, by Mesa's software
 // renderer: the office at 1280 x 800.
 #include "gui/view3d/graphics.h"
 #include "gui/view3d/scene_view.h"
@@ -59,6 +59,13 @@ public:
         view.renderWindow()->WaitForCompletion();
         QApplication::processEvents();
     }
+    /// As it is when nothing moves.
+    void wholeFrame(double turnDeg) {
+        auto& view = area_->view(0);
+        view.setPose(orbited(view.pose(), middle(), turnDeg, 0));
+        view.finish();
+        QApplication::processEvents();
+    }
     [[nodiscard]] std::size_t vertices() const { return open_.session.volumes.shown()->volume->vertexCount(); }
     [[nodiscard]] std::size_t bins() const { return open_.session.volumes.shown()->volume->binCount(); }
 
@@ -73,11 +80,11 @@ private:
     std::unique_ptr<ViewArea> area_;
 };
 
-void turn(benchmark::State& state, Room& room, const ViewSettings& settings) {
+void turn(benchmark::State& state, Room& room, const ViewSettings& settings, void (Room::*frame)(double)) {
     room.show(settings);
     benchmark::IterationCount frames = 0;
     for (auto _ : state) {
-        room.frame(kDegreesAFrame);
+        (room.*frame)(kDegreesAFrame);
         ++frames;
     }
     state.counters["frames/s"] = benchmark::Counter(static_cast<double>(frames), benchmark::Counter::kIsRate);
@@ -119,11 +126,14 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     gui::Room room;
     std::printf("%zu vertices of %zu bins each\n", room.vertices(), room.bins());
-    for (const auto& [name, settings] : gui::kinds())
-        benchmark::RegisterBenchmark(("turn/" + name).c_str(), [&room, settings = settings](benchmark::State& state) { gui::turn(state, room, settings); })
+    const auto add = [&](const std::string& name, const gui::ViewSettings& settings, void (gui::Room::*frame)(double)) {
+        benchmark::RegisterBenchmark(name.c_str(), [&room, settings, frame](benchmark::State& state) { gui::turn(state, room, settings, frame); })
             ->Unit(benchmark::kMillisecond)
             ->UseRealTime()
             ->MinTime(2);
+    };
+    for (const auto& [name, settings] : gui::kinds()) add("turn/" + name, settings, &gui::Room::frame);
+    for (const auto& [name, settings] : gui::kinds()) add("whole/" + name, settings, &gui::Room::wholeFrame);
     benchmark::RunSpecifiedBenchmarks();
     return 0;
 }
