@@ -66,6 +66,7 @@ QPushButton, QToolButton, QComboBox, QSpinBox, QDoubleSpinBox, QLineEdit { borde
 QToolButton { background: transparent; border-color: transparent; }
 QToolButton:hover, QPushButton:hover, QComboBox:hover { border-color: @accent; }
 QToolButton:checked { background: @line; }
+QToolBar QToolButton { padding: 2px 8px; }
 QPushButton:default { background: @accent; border-color: @accent; color: @onAccent; }
 QPushButton:disabled, QComboBox:disabled { color: @quiet; background: @window; }
 QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus { border-color: @accent; }

@@ -127,8 +127,8 @@ QWidget* FurniturePanel::hand() {
     estimate_->setToolTip(tr("Estimate to first order: what it hides from each calculation surface, and gives back"));
     solve_ = new QPushButton(tr("Solve it exactly"), hand_);
     solve_->setToolTip(tr("Solves the room without it and with it"));
-    auto* room = new QHBoxLayout;
-    room->addWidget(estimate_, 1);
+    auto* room = new QVBoxLayout;
+    room->addWidget(estimate_);
     room->addWidget(solve_);
     layout->addSpacing(8);
     layout->addLayout(room);

@@ -93,7 +93,9 @@ PropertyForm* PropertiesPanel::chosenForm() {
         case Thing::Project:
         case Thing::None: break;
     }
-    return projectForm(project);
+    auto* whole = projectForm(project);
+    if (thing == Thing::None) whole->note(tr("Select something in the tree or a view to see and change it here."));
+    return whole;
 }
 
 void PropertiesPanel::change(const QString& what, const edits::Edit& edit) {

@@ -45,7 +45,6 @@ QDoubleSpinBox* spinBox(double value, const PropertyForm::Range& range, const st
 PropertyForm::PropertyForm(const QString& title, const QString& kind, const Units& units, QWidget* parent)
     : QWidget(parent), units_(units), rows_(new QFormLayout(this)) {
     rows_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    rows_->setRowWrapPolicy(QFormLayout::WrapLongRows);
     auto* name = new QLabel(title, this);
     name->setObjectName(QStringLiteral("propertyTitle"));
     name->setWordWrap(true);
@@ -120,7 +119,9 @@ void PropertyForm::axes(const Field& field, const Vec3d& shown, const Range& ran
         box->setToolTip(box->accessibleName());
         layout->addWidget(box, 1);
     }
-    rows_->addRow(range.unit.isEmpty() ? field.label : field.label + QStringLiteral(" [") + range.unit + QLatin1Char(']'), line);
+    // Above its numbers by its own row: rows that a form wraps by itself are forgotten in the height that it asks for.
+    rows_->addRow(new QLabel(range.unit.isEmpty() ? field.label : field.label + QStringLiteral(" [") + range.unit + QLatin1Char(']'), this));
+    rows_->addRow(line);
 }
 
 void PropertyForm::place(const Field& field, const Vec3d& metres, std::function<void(const Vec3d&)> changed) {

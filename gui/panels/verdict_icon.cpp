@@ -18,7 +18,9 @@ QIcon verdictIcon(Verdict verdict) {
     painter.setRenderHint(QPainter::Antialiasing);
     report::Canvas canvas(painter, 1, {});
     canvas.verdictSymbol(kSize / 2.0, kSize / 2.0, 0.8 * kSize, verdict);
-    return QIcon(picture);
+    QIcon icon(picture);
+    icon.addPixmap(picture, QIcon::Selected);  // else styles tint it in selected rows: its colour has a meaning
+    return icon;
 }
 
 Verdict worstVerdict(const GridResult& grid) {

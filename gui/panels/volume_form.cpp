@@ -48,6 +48,10 @@ VolumeForm::VolumeForm(Session& session, QWidget* parent)
     const char* const names[] = {"volumeFirstX", "volumeFirstY", "volumeFirstZ"};
     for (std::size_t axis = 0; axis < 3; ++axis)
         first_[axis] = made(new QSpinBox(this), names[axis], 2, 1025, {}, tr("Vertices of the first level along %1").arg(QLatin1Char("xyz"[axis])));
+    for (auto* box : first_) {
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);  // three stand in a row
+        box->setMinimumWidth(40);
+    }
     made(second_, "volumeSecond", 2, 32, {}, tr("A cell that holds furniture or walls gets so many vertices along each of its sides"));
     second_->setSpecialValueText(tr("none"));
     made(side_, "volumeBins", 2, 64, {}, tr("Each vertex looks in 2 n² directions: 17 gives 578"));

@@ -1,9 +1,15 @@
 #pragma once
 
+#include "gui/app/theme.h"
+#include "gui/view3d/view_area.h"
 #include "tests/gui/window/open_window.h"
 
-#include <QPixmap>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QScrollArea>
+#include <QTabWidget>
 
+#include <functional>
 #include <string>
 
 namespace luxdeck::gui {
@@ -12,9 +18,16 @@ namespace luxdeck::gui {
 class Stage {
 public:
     Stage() {
-        window.window->resize(1360, 850);
+        window.window->resize(1440, 900);
         settle();
     }
+    /// What a scene changed for good is as at first for the next one.
+    ~Stage() {
+        applyTheme(*qApp, Theme::Light);
+        session().setDisplay(Display{});
+    }
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
 
     test::OwnFolder folder;
     test::OpenWindow window;
@@ -41,6 +54,35 @@ public:
         auto settings = session().views()[index];
         edit(settings);
         session().setView(index, settings);
+    }
+    /// Looks from one point to another [m, user coordinates].
+    void look(const Vec3d& from, const Vec3d& to) {
+        View view;
+        view.position = from;
+        view.direction = (to - from).normalized();
+        view.verticalFovDeg = 55;
+        window.window->views().goTo(view);
+    }
+    void raise(const char* dock) const {
+        auto* panel = window.find<QDockWidget>(dock);
+        panel->show();
+        panel->raise();
+    }
+    /// Nearly all of the left side for the properties.
+    void giveProperties() const {
+        auto* properties = window.find<QDockWidget>("propertiesDock");
+        if (auto* room = qobject_cast<QMainWindow*>(properties->parentWidget())) room->resizeDocks({window.find<QDockWidget>("projectDock"), properties}, {100, 560}, Qt::Vertical);
+    }
+    /// Scrolls a panel to one of its widgets.
+    void revealInDock(const char* dock, const char* widget) const {
+        raise(dock);
+        settle();
+        if (auto* area = qobject_cast<QScrollArea*>(window.find<QDockWidget>(dock)->widget())) area->ensureWidgetVisible(window.find(widget));
+    }
+    /// Room, Pictures, Compare, Report.
+    void page(int index) const {
+        window.find<QTabWidget>("workspaces")->setCurrentIndex(index);
+        settle();
     }
     /// Lets everything that was asked for be drawn.
     static void settle(int ms = 400) { QTest::qWait(ms); }
