@@ -19,9 +19,15 @@ struct ViewKey {
 const ViewKey kViewKeys[] = {
     {QT_TR_NOOP("Left click"), QT_TR_NOOP("Select what is under the pointer")},
     {QT_TR_NOOP("Left drag on a handle"), QT_TR_NOOP("Move or turn the selected luminaire or furniture (Ctrl: without snapping)")},
-    {QT_TR_NOOP("Middle or right drag, wheel"), QT_TR_NOOP("Orbit, pan and zoom to the pointer (CAD navigation)")},
-    {QT_TR_NOOP("W A S D, arrows, mouse"), QT_TR_NOOP("Walk and look around (walk navigation; Shift: faster)")},
-    {QT_TR_NOOP("Left, middle, right button held"), QT_TR_NOOP("Nearer to what is under the pointer, turn, further away (holodeck navigation)")},
+    {QT_TR_NOOP("F, Home"), QT_TR_NOOP("Fit all, from a corner")},
+    {QT_TR_NOOP("7, 1, 3"), QT_TR_NOOP("From above, from the south, from the east")},
+    {QT_TR_NOOP("L"), QT_TR_NOOP("The next named view")},
+    {QT_TR_NOOP("Left or middle drag"), QT_TR_NOOP("Orbit about the point under the pointer (CAD navigation)")},
+    {QT_TR_NOOP("Right drag, Shift+drag"), QT_TR_NOOP("Pan (CAD navigation)")},
+    {QT_TR_NOOP("Wheel"), QT_TR_NOOP("Zoom to the pointer; pace of walking (walk navigation)")},
+    {QT_TR_NOOP("W A S D or arrows, Q E"), QT_TR_NOOP("Walk, down and up; drag to look around; Shift: faster (walk navigation)")},
+    {QT_TR_NOOP("Left, right button held"), QT_TR_NOOP("Nearer to what is under the pointer, further away (holodeck navigation)")},
+    {QT_TR_NOOP("Middle drag, Shift+drag"), QT_TR_NOOP("Turn about the point under the pointer, look around (holodeck navigation)")},
 };
 
 QTreeWidgetItem* section(QTreeWidget* list, const QString& name) {

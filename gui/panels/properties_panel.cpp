@@ -8,6 +8,8 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace luxdeck::gui {
 
 PropertiesPanel::PropertiesPanel(Session& session, QWidget* parent) : QScrollArea(parent), session_(session), message_(new QLabel) {
@@ -69,8 +71,24 @@ void PropertiesPanel::rebuild() {
         shown_->deleteLater();
     }
     shown_ = form;
+    // With their paddings before anything is measured.
+    for (auto* field : form->findChildren<QWidget*>()) field->ensurePolished();
     layout_->insertWidget(1, form);
+    QTimer::singleShot(0, this, [this] { giveRoom(); });
     if (auto* again = name.isEmpty() ? nullptr : form->findChild<QWidget*>(name)) again->setFocus();
+}
+
+/// Fields scroll rather than being squashed.
+void PropertiesPanel::giveRoom() {
+    shown_->layout()->invalidate();
+    layout_->invalidate();
+    const int width = viewport()->width();
+    widget()->setMinimumHeight(std::max(layout_->totalMinimumSize().height(), layout_->hasHeightForWidth() ? layout_->totalHeightForWidth(width) : 0));
+}
+
+void PropertiesPanel::resizeEvent(QResizeEvent* event) {
+    QScrollArea::resizeEvent(event);
+    if (shown_ != nullptr) giveRoom();
 }
 
 PropertyForm* PropertiesPanel::form(const QString& title, const QString& kind) {

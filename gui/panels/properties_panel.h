@@ -26,6 +26,8 @@ public:
     void exchange(std::size_t type, const std::string& file);
 
 private:
+    void giveRoom();
+    void resizeEvent(QResizeEvent* event) override;
     void rebuild();
     void soon();
     PropertyForm* form(const QString& title, const QString& kind);

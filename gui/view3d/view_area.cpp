@@ -165,7 +165,7 @@ void ViewArea::keyCommand(int key) {
         case Qt::Key_F: return fit();
         case Qt::Key_Home: return lookFrom(Side::Iso);
         case Qt::Key_1: return lookFrom(Side::Front);
-        case Qt::Key_3: return lookFrom(Side::Left);
+        case Qt::Key_3: return lookFrom(Side::Right);
         case Qt::Key_7: return lookFrom(Side::Top);
         default: break;
     }
