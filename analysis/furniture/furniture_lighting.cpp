@@ -243,8 +243,8 @@ WorkingSurfaceLight FurnitureLighting::workingSurface(const LightRequirement& re
     if (!least && !limit) return out;
     if (least && out.mean.high() < *least) out.verdict = FurnitureVerdict::Under;
     else if (limit && out.maximum.low() > *limit) out.verdict = FurnitureVerdict::Over;
-    else if ((least && out.mean.low() < *least) || (limit && out.maximum.high() > *limit) || out.unknownPart > 0.5) out.verdict = FurnitureVerdict::Undecided;
-    else out.verdict = FurnitureVerdict::Met;
+    else if ((!least || out.mean.low() >= *least) && (!limit || out.maximum.high() <= *limit) && out.unknownPart <= 0.5) out.verdict = FurnitureVerdict::Met;
+    else out.verdict = FurnitureVerdict::Undecided;  // also where an interval is not known
     return out;
 }
 

@@ -31,12 +31,15 @@ private:
     std::vector<Axes> ofCell_;
 };
 
-/// x, y and z of a unit vector as the three axes that it points along, weighed by its squares.
+/// x, y and z of a unit vector as the three axes that it points along, weighed by its squares. An axis that it does not
+/// point along does not count, whatever its value: what is not known there may be infinite.
 template <class Value>
 float alongAxes(const std::array<Value, 6>& values, const Vec3& normal) {
     float sum = 0;
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis) {
+        if (normal[axis] == 0) continue;
         sum += normal[axis] * normal[axis] * static_cast<float>(values[static_cast<std::size_t>(2 * axis + (normal[axis] < 0 ? 1 : 0))]);
+    }
     return sum;
 }
 

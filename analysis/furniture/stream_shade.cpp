@@ -26,10 +26,9 @@ struct Block {
 
 class Shader {
 public:
-    Shader(const VolumeField& field, const Raycaster* room, const StreamSettings& settings) : field_(field), settings_(settings) {
+    Shader(const VolumeField& field, const Raycaster* room, const StreamSettings& settings) : field_(field), room_(room), settings_(settings) {
         const double angle = settings.turnDeg * kDegree;
         place_ = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), settings.at};
-        for (std::size_t i = 0; i < kChunk / kBlock; ++i) blocks_.emplace_back(field.volume(), room);
     }
 
     void shade(const std::vector<TriangleStream::Triangle>& triangles, StreamCounts& counts) {
@@ -37,6 +36,7 @@ public:
         collect(triangles, counts);
         lux_.resize(positions_.size());
         const std::size_t count = (positions_.size() / 3 + kBlock - 1) / kBlock;
+        while (blocks_.size() < count) blocks_.emplace_back(field_.volume(), room_);  // a polygon may be many triangles
         parallelFor(count, [&](std::size_t b) { shadeBlock(blocks_[b], 3 * kBlock * b, std::min(positions_.size(), 3 * kBlock * (b + 1))); });
         for (std::size_t b = 0; b < count; ++b) counts.unknown += blocks_[b].unknown;
         counts.shadingSeconds += clock.seconds();
@@ -94,9 +94,10 @@ private:
     }
 
     const VolumeField& field_;
+    const Raycaster* room_;
     StreamSettings settings_;
     Placement place_;
-    std::vector<Block> blocks_;
+    std::vector<Block> blocks_;            // as many as the largest chunk had
     std::vector<Vec3> positions_;
     std::vector<Rgb> lux_;
 };

@@ -48,8 +48,9 @@ public:
     explicit BruteForceRaycaster(const Scene& scene) : scene_(scene) {
         for (std::size_t i = 0; i < scene.luminaires.size(); ++i) {
             const auto& l = scene.luminaires[i];
-            const auto placed = PlacedOpening::of(l, scene.luminaireTypes[l.type].photometry.opening);
-            if (placed.shape != OpeningShape::Point && l.outputScale() > 0)
+            const auto& type = scene.luminaireTypes[l.type];
+            const auto placed = PlacedOpening::of(l, type.photometry.opening);
+            if (placed.shape != OpeningShape::Point && runningLumens(l, type) > 0)
                 openings_.emplace_back(placed, static_cast<std::uint32_t>(i));
         }
     }

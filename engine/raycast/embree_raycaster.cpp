@@ -224,8 +224,10 @@ private:
     void attachOpenings(const Scene& scene) {
         for (std::size_t i = 0; i < scene.luminaires.size(); ++i) {
             const auto& l = scene.luminaires[i];
-            const auto placed = PlacedOpening::of(l, scene.luminaireTypes[l.type].photometry.opening);
-            if (placed.shape == OpeningShape::Point || !(l.outputScale() > 0)) continue;
+            const auto& type = scene.luminaireTypes[l.type];
+            const auto placed = PlacedOpening::of(l, type.photometry.opening);
+            // Those that give light, exactly: paths ask the light sampler for every opening that they meet.
+            if (placed.shape == OpeningShape::Point || !(runningLumens(l, type) > 0)) continue;
             openings_.shapes.push_back(placed);
             openings_.luminaires.push_back(static_cast<std::uint32_t>(i));
         }

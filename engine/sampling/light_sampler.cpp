@@ -51,7 +51,7 @@ void LightSampler::addLuminaires(const Scene& scene) {
         const auto& l = scene.luminaires[i];
         const auto& type = scene.luminaireTypes[l.type];
         const auto& table = type.photometry.table;
-        const double lumens = table.lumens() * l.outputScale();
+        const double lumens = runningLumens(l, type);
         if (!(lumens > 0)) continue;
         const auto opening = PlacedOpening::of(l, type.photometry.opening);
         lightOfLuminaire_[i] = static_cast<std::uint32_t>(lights_.size());

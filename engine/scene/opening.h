@@ -50,4 +50,8 @@ struct PlacedOpening {
     [[nodiscard]] bool flat() const { return shape == OpeningShape::Rectangle || shape == OpeningShape::Disc; }
 };
 
+/// What a luminaire gives as it runs [lm]; 0: it is off, or its file says that it is dark. Only openings of those that give
+/// light are there to be met by rays.
+inline double runningLumens(const Luminaire& luminaire, const LuminaireType& type) { return type.photometry.table.lumens() * luminaire.outputScale(); }
+
 }  // namespace luxdeck

@@ -4,9 +4,11 @@
 
 #include "engine/core/parallel.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -115,6 +117,28 @@ TEST(ShadeStream, LightsAGradientAndLeavesOutWhatIsNotFinite) {
 }
 
 // Invariant: many blocks, one or all threads: the same bits, in the file's order.
+// Bug: one polygon of more corners than a chunk has triangles was lit beyond the end of the list of blocks.
+TEST(ShadeStream, OnePolygonMayBeMoreThanAChunk) {
+    const Folder folder;
+    constexpr int kCorners = 70'000;  // a chunk is 65,536 triangles
+    std::string text, face = "f";
+    for (int i = 0; i < kCorners; ++i) {
+        const double angle = 2 * kPiD * i / kCorners;
+        text += fmt::format("v {:.9f} {:.9f} 0.5\n", 1 + 0.9 * std::cos(angle), 1 + 0.9 * std::sin(angle));
+        face += fmt::format(" {}", i + 1);
+    }
+    const auto file = folder.write("disc.obj", text + face + "\n");
+    const auto volume = gradient();
+    const auto field = fieldOf(volume);
+    std::size_t got = 0;
+    const auto counts = shadeStream(*TriangleStream::open(file).value(), field, nullptr, {}, [&](std::span<const Vec3>, std::span<const Rgb> lux) {
+        got += lux.size();
+        return Result<void>();
+    }, Progress()).value();
+    EXPECT_EQ(counts.triangles, static_cast<std::uint64_t>(kCorners - 2));
+    EXPECT_EQ(got, 3 * (counts.triangles - counts.skipped));
+}
+
 TEST(ShadeStream, DoesNotDependOnTheNumberOfThreads) {
     const Folder folder;
     std::vector<TriangleStream::Triangle> many;

@@ -193,6 +193,19 @@ TEST(FurnitureLighting, WarnsWhereThereIsTooLittleOrTooMuch) {
     EXPECT_EQ(s.lighting->workingSurface().verdict, FurnitureVerdict::None);
 }
 
+// Bug: of one sample a bin the variance is infinite, and 0 times infinite along the axes that a level surface does not face made its
+// interval not a number, which was held for met. Invariant: what is not known is undecided.
+TEST(FurnitureLighting, OneSampleABinDecidesNothing) {
+    const auto& s = stage();
+    VolumeSettings settings;
+    settings.firstLevel = {4, 4, 3}, settings.secondLevel = 0, settings.side = 5, settings.samplesPerBin = 1;
+    const auto volume = buildVolume(s.empty.transport(), *s.empty.estimator("path"), settings, {}, Progress()).value();
+    const auto lighting = FurnitureLighting::create(s.object, volume, s.empty.raycaster.get()).value();
+    lighting->update(movedTo(1.5, 2));
+    EXPECT_EQ(lighting->workingSurface({1.0, {}}).verdict, FurnitureVerdict::Undecided);
+    EXPECT_EQ(lighting->workingSurface({{}, 1e6}).verdict, FurnitureVerdict::Undecided);
+}
+
 // Invariant: a pose has one answer, whatever was asked before; coarser levels answer alike.
 TEST(FurnitureLighting, SamePoseSameBits) {
     auto& s = stage();

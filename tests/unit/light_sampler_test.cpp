@@ -207,5 +207,24 @@ TEST(LightSampler, APointGivesTheInverseSquareLaw) {
     EXPECT_EQ(s.distance, 2);
 }
 
+// Bug: an opening whose file gives no light anywhere was met by rays, and the light sampler, which has no light for it, was
+// asked for its place beyond the end of its list. Invariant: what gives no light is not there to be met.
+TEST(LightSampler, AnOpeningThatIsDarkByItsFileIsNotMet) {
+    SceneBuilder b;
+    b.luminaire({0, 0, 2}, axialTable([](double) { return 0.0; }), openingOf(OpeningShape::Rectangle), {0, 0, -1});
+    b.luminaire({5, 0, 2}, broadTable(), openingOf(OpeningShape::Rectangle), {0, 0, -1});
+    auto scene = b.build();
+    for (const bool bruteForce : {false, true}) {
+        const Lit lit(scene, bruteForce);
+        std::vector<Ray> rays(2);
+        for (auto& ray : rays) ray.direction = {0, 0, 1};
+        rays[0].origin = {0, 0, 0}, rays[1].origin = {5, 0, 0};
+        std::vector<Hit> hits(2);
+        lit.raycaster->closestHits(rays, hits, Targets::Everything);
+        EXPECT_EQ(hits[0].distance, kInfinity);
+        EXPECT_NEAR(hits[1].distance, 2, 1e-5);  // float rounding
+    }
+}
+
 }  // namespace
 }  // namespace luxdeck::test
