@@ -51,7 +51,8 @@ void Solving::start(const SolveSettings& wanted) {
     place_.jobs.start(JobKind::Solve, "Solving", [this, project, settings](const Progress& progress, const Jobs::Tell& tell) -> Jobs::Delivery {
         auto use = [this, project](SolveResult result) {
             return [this, project, shared = std::make_shared<const SolveResult>(std::move(result))] {
-                if (place_.project == nullptr) return;
+                // What closing stopped comes too late: it is not of the project that was opened after it.
+                if (!place_.project || place_.project->project.file != project->project.file) return;
                 of_ = project;
                 solved_ = result_ = shared;
                 lightless_ = hashWithoutDimming(project->project.scene);

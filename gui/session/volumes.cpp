@@ -25,6 +25,8 @@ void Volumes::build(const VolumeRequest& request) {
         if (!built) return complain(built.error());
         auto volume = std::make_shared<const IrradianceVolume>(*std::move(built));
         return [this, project, volume, name = request.name] {
+            // What closing stopped comes too late: it is of no use to the project that was opened after it.
+            if (!place_.project || place_.project->project.file != project->project.file) return;
             add({name, {}, volume, project, {}, place_.project && place_.project->project.scene.hash == volume->sceneHash});
         };
     });

@@ -1,5 +1,5 @@
 // The window as a designer uses it: real clicks and keys.
-#include "tests/gui/window/open_window.h"
+#include "tests/gui/window/hands.h"
 
 #include <QAbstractItemModel>
 #include <QCheckBox>
@@ -16,37 +16,17 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
 
 namespace luxdeck::gui {
 namespace {
 
 using test::OpenWindow;
 using test::OwnFolder;
+using test::cell;
+using test::replaceInFile;
+using test::solveByCommandLine;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-/// What `luxdeck solve --json` says with these options.
-nlohmann::json solveByCommandLine(const std::filesystem::path& project, const std::string& options) {
-    const auto command = std::string(LUXDECK_PROGRAM) + " solve '" + project.string() + "' --json --quiet " + options;
-    std::string out;
-    FILE* pipe = popen(command.c_str(), "r");
-    if (pipe == nullptr) return {};
-    char buffer[65536];
-    for (std::size_t n; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) out.append(buffer, n);
-    pclose(pipe);
-    return nlohmann::json::parse(out, nullptr, false);
-}
-
-QString cell(const QTableView* table, int row, int column) { return table->model()->index(row, column).data().toString(); }
-
-void replaceInFile(const std::filesystem::path& file, const std::string& what, const std::string& by) {
-    std::ifstream in(file);
-    std::string text((std::istreambuf_iterator<char>(in)), {});
-    text.replace(text.find(what), what.size(), by);
-    std::ofstream(file) << text;
-}
 
 TEST(MainWindow, BeginsWithTheSamplesAndOpensOneByAClick) {
     OpenWindow open;
