@@ -87,10 +87,12 @@ TEST(ReportStory, ThePdfHasTheProjectsNameAndItsTwinTheTablesNumbers) {
     ASSERT_TRUE(fs::exists(twin));
     const auto json = nlohmann::json::parse(test::contents(twin), nullptr, false);
     ASSERT_FALSE(json.is_discarded());
+    ASSERT_TRUE(json.contains("solve"));
+    const auto& solved = json["solve"]["grids"];
     const auto* grids = open.find<QTableView>("gridTable");
-    ASSERT_EQ(grids->model()->rowCount(), static_cast<int>(json["grids"].size()));
+    ASSERT_EQ(grids->model()->rowCount(), static_cast<int>(solved.size()));
     for (int row = 0; row < grids->model()->rowCount(); ++row) {
-        const auto& mean = json["grids"][static_cast<std::size_t>(row)]["mean"];
+        const auto& mean = solved[static_cast<std::size_t>(row)]["mean"];
         EXPECT_EQ(test::cell(grids, row, 1).toStdString(), intervalText(mean["value"], mean["ci95"]));
     }
 }
