@@ -23,7 +23,7 @@ namespace luxdeck::gui {
 
 namespace {
 
-constexpr int kResultsHeight = 210, kSideWidth = 270;
+constexpr int kResultsHeight = 210, kSideWidth = 270, kLeastWidth = 240;
 
 QWidget* scrolled(QWidget* content) {
     auto* area = new QScrollArea;
@@ -57,6 +57,7 @@ void MainWindow::makeDocks() {
     results_ = new ResultsPanel(session_);
     show_ = new ShowPanel(session_);
     solve_ = new SolvePanel(session_);
+    tree->setMinimumWidth(kLeastWidth);  // a change of theme lays docks out anew, as narrow as they may be
     auto* project = dock(QStringLiteral("projectDock"), tr("Project"), tree, Qt::LeftDockWidgetArea);
     auto* properties = dock(QStringLiteral("propertiesDock"), tr("Properties"), new PropertiesPanel(session_), Qt::LeftDockWidgetArea);
     auto* solve = dock(QStringLiteral("solveDock"), tr("Solve"), scrolled(solve_), Qt::RightDockWidgetArea);

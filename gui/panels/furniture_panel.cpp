@@ -142,6 +142,7 @@ QWidget* FurniturePanel::hand() {
     room_->verticalHeader()->setVisible(false);
     room_->setShowGrid(false);
     room_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    room_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     room_->setMinimumHeight(180);
     layout->addWidget(room_);
 
@@ -185,6 +186,10 @@ void FurniturePanel::refresh() {
     else if (preparing) state_->setText(tr("Lighting the room without %1 …").arg(qt(furnishing.object())));
     else if (ready) state_->setText(tr("%1 is in hand: drag its handles in the view, or type where it goes.").arg(qt(furnishing.object())));
     else state_->setText(tr("Choose what to move; its illuminance then follows your hand."));
+    if (furnishing.object() != inHand_) {
+        inHand_ = furnishing.object();
+        if (!inHand_.empty()) object_->setCurrentText(qt(inHand_));  // also when it was taken elsewhere
+    }
     if (ready) refreshHand();
 }
 

@@ -4,6 +4,8 @@
 
 #include <QWidget>
 
+#include <string>
+
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
@@ -36,6 +38,7 @@ private:
 
     Session& session_;
     bool following_ = false;
+    std::string inHand_;
     QComboBox* object_;
     QPushButton *begin_, *leave_, *back_, *estimate_, *solve_;
     QLabel *state_, *verdict_, *from_, *roomState_;

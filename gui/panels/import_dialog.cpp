@@ -87,15 +87,15 @@ QWidget* ImportDialog::card(const ImportedFile& file) {
     words->addWidget(text(qt(file.file.filename().string()), box, "font-weight: 600; font-size: 12pt"));
     words->addWidget(text(qt(file.what), box));
     if (file.refused) {
-        auto* why = text(tr("Cannot be used: %1").arg(qt(file.refused->text())), box, "border-left: 4px solid #c8202c; padding: 4px 8px");
+        auto* why = text(tr("Cannot be used: %1").arg(qt(file.refused->text())), box, "border: none; border-left: 4px solid #c8202c; padding: 4px 8px");
         why->setObjectName(QStringLiteral("importRefused"));
         words->addWidget(why);
         words->addWidget(text(tr("Nothing was changed."), box));
         return box;
     }
     for (const auto& fact : file.facts) words->addWidget(text(qt(fact), box));
-    for (const auto& repair : file.repairs) words->addWidget(text(tr("Put right: %1").arg(qt(repair)), box, "border-left: 4px solid #c47a00; padding: 2px 8px"));
-    for (const auto& warning : file.warnings) words->addWidget(text(tr("Look at this: %1").arg(qt(warning)), box, "border-left: 4px solid #c47a00; padding: 2px 8px"));
+    for (const auto& repair : file.repairs) words->addWidget(text(tr("Put right: %1").arg(qt(repair)), box, "border: none; border-left: 4px solid #c47a00; padding: 2px 8px"));
+    for (const auto& warning : file.warnings) words->addWidget(text(tr("Look at this: %1").arg(qt(warning)), box, "border: none; border-left: 4px solid #c47a00; padding: 2px 8px"));
     words->addSpacing(8);
     if (file.kind == ImportKind::Photometry) offerPhotometry(file, words);
     if (file.kind == ImportKind::Geometry) offerGeometry(file, words);

@@ -139,8 +139,8 @@ bool furniture(Stage& stage) {
     hand.moveTo(pose);
     hand.estimateRoom();
     if (!stage.window.untilIdle()) return false;
-    stage.view([](ViewSettings& view) { view.verdicts = false; });
-    stage.look({9.9, 2.6, 3.6}, {9.6, 6.0, 0.6});
+    stage.view([](ViewSettings& view) { view.verdicts = view.luminaires = false; });
+    stage.look({6.6, 8.1, 2.8}, {9.5, 5.7, 0.6});
     stage.raise("furnitureDock");
     return true;
 }
@@ -165,7 +165,7 @@ bool importingBroken(Stage& stage) {
 
 bool rendered(Stage& stage, const std::string& algorithm, double seconds) {
     PictureRequest request{stage.session().project()->project.views[0], {}};
-    request.view.width = 900, request.view.height = 600;
+    request.view.width = 750, request.view.height = 500;
     request.settings.algorithm = algorithm;
     request.settings.targetError = 0.02;
     request.settings.timeSeconds = seconds;
