@@ -70,7 +70,7 @@ PropertyForm* PropertiesPanel::gridForm(const Project& project, std::size_t inde
         const auto& units = session_.display().units;
         PropertyForm::Range length;
         length.low = 0, length.high = 1000, length.unit = QString::fromUtf8(units.lengthUnit());
-        length.least = grid.counts ? tr("%1 x %2 points").arg((*grid.counts)[0]).arg((*grid.counts)[1]) : tr("as EN 12464-1 has it");
+        length.least = grid.counts ? tr("%1 x %2 points").arg((*grid.counts)[0]).arg((*grid.counts)[1]) : tr("by EN 12464-1");
         rows->number({tr("Spacing"), "gridSpacing"}, units.lengthOf(grid.spacingM.value_or(0)), length, [=](double v) { edits::GridChange c; c.spacingM = units.metres(v); edit(c); });
     } else {
         rows->fact(tr("Points"), QString::number(grid.points.size()));

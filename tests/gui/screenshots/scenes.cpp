@@ -48,7 +48,7 @@ bool section(Stage& stage) {
         view.section = {true, {0, -1, 0}, 0.6};
         view.hideCeiling = false;
     });
-    stage.look({7.2, -9, 4.2}, {7.2, 4, 1.2});
+    stage.look({5.2, -5.2, 3.6}, {7.0, 4, 1.0});
     stage.raise("showDock");
     return true;
 }
