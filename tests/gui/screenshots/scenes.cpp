@@ -275,6 +275,7 @@ bool makeScreenshot(const ScreenshotScene& scene, const std::string& folder) {
         for (const auto& entry : stage.session().place.log()) std::cerr << entry.text << "\n";
         return false;
     }
+    (void)stage.window.untilIdle();  // what is drawn is made beside the window
     Stage::settle(1000);
     (void)stage.window.window->views().picture();  // whatever was still to be drawn is
     Stage::settle(1500);
