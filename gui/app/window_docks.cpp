@@ -23,7 +23,7 @@ namespace luxdeck::gui {
 
 namespace {
 
-constexpr int kResultsHeight = 210, kSideWidth = 270, kLeastWidth = 240;
+constexpr int kResultsHeight = 210, kSideWidth = 270, kLeastWidth = 266;
 
 QWidget* scrolled(QWidget* content) {
     auto* area = new QScrollArea;
