@@ -25,12 +25,15 @@ namespace luxdeck::gui {
 
 namespace {
 constexpr int kAutosaveMs = 20'000;
+constexpr int kDeliverMs = 40;  // between what jobs say: every panel looks at it
 }
 
 MainWindow::MainWindow(Memory& memory, QWidget* parent)
     : QMainWindow(parent), memory_(memory),
       // From a job's thread: the event loop takes it from there.
-      session_([this] { QMetaObject::invokeMethod(this, [this] { session_.deliver(); }, Qt::QueuedConnection); }),
+      session_([this] {
+          if (!woken_.exchange(true)) QMetaObject::invokeMethod(this, [this] { deliver(); }, Qt::QueuedConnection);
+      }),
       pages_(new QStackedWidget(this)), start_(new StartPage(memory, this)), workspaces_(new QTabWidget(this)), room_(new QMainWindow(this, Qt::Widget)), probe_(new QLabel(this)) {
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
@@ -60,6 +63,15 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
 }
 
 MainWindow::~MainWindow() = default;
+
+/// The first at once; what comes hard upon it together.
+void MainWindow::deliver() {
+    const auto since = delivered_.isValid() ? delivered_.elapsed() : kDeliverMs;
+    if (since < kDeliverMs) return QTimer::singleShot(static_cast<int>(kDeliverMs - since), this, &MainWindow::deliver);
+    woken_ = false;
+    session_.deliver();
+    delivered_.start();
+}
 
 void MainWindow::makeWorkspaces() {
     workspaces_->setObjectName(QStringLiteral("workspaces"));
@@ -129,6 +141,8 @@ void MainWindow::showErrors() {
     for (; errorsSeen_ < log.size(); ++errorsSeen_)
         if (log[errorsSeen_].severity == Severity::Error) errors << qt(log[errorsSeen_].text);
     if (errors.isEmpty()) return;
+    // A move that was refused: what was dragged stands where the project has it.
+    if (session_.furnishing.object().empty()) views_->showSelectedAt();
     auto* box = new QMessageBox(QMessageBox::Warning, tr("Luxdeck"), errors.join(QStringLiteral("\n\n")), QMessageBox::Ok, this);
     box->setObjectName(QStringLiteral("errorMessage"));
     box->setAttribute(Qt::WA_DeleteOnClose);

@@ -3,8 +3,10 @@
 #include "gui/app/memory.h"
 #include "gui/session/session.h"
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -102,11 +104,14 @@ private:
     void leaveOutWhatIsNotThere();
     static void leaveOut(QDockWidget* dock, bool out);
 
+    void deliver();
     void heard(Change change);
     void refreshTitle();
     void showErrors();
 
     Memory& memory_;
+    std::atomic<bool> woken_{false};  // by a job; delivered soon
+    QElapsedTimer delivered_;
     Session session_;
     std::size_t errorsSeen_ = 0;
 

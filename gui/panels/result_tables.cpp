@@ -35,6 +35,7 @@ QString wording(const JudgedInterval& value, bool ratio, const Units& units) {
 }  // namespace
 
 void GridTable::show(std::shared_ptr<const SolveResult> result, const Units& units) {
+    if (result == result_ && units == units_) return;
     const bool sameRows = result_ && result && result_->grids.size() == result->grids.size();
     if (!sameRows) beginResetModel();
     result_ = std::move(result);
@@ -92,6 +93,7 @@ QVariant GridTable::headerData(int section, Qt::Orientation orientation, int rol
 const GridResult* PointTable::grid() const { return result_ && grid_ < result_->grids.size() ? &result_->grids[grid_] : nullptr; }
 
 void PointTable::show(std::shared_ptr<const SolveResult> result, std::size_t grid, const Units& units) {
+    if (result == result_ && grid == grid_ && units == units_) return;
     const int before = rowCount();
     const bool sameGrid = grid == grid_;
     auto was = std::exchange(result_, std::move(result));

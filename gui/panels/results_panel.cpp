@@ -16,6 +16,7 @@ namespace luxdeck::gui {
 
 namespace {
 
+constexpr int kMeasuredRows = 30; // decide on how wide a column is: thousands of points take too long
 constexpr int kTableWidth = 600;  // of each table, at first and in proportion
 
 QTableView* table(QAbstractTableModel* model, const QString& name, QWidget* parent) {
@@ -29,6 +30,7 @@ QTableView* table(QAbstractTableModel* model, const QString& name, QWidget* pare
     view->verticalHeader()->setVisible(false);
     view->verticalHeader()->setDefaultSectionSize(24);
     view->horizontalHeader()->setHighlightSections(false);
+    view->horizontalHeader()->setResizeContentsPrecision(kMeasuredRows);
     view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     view->horizontalHeader()->setStretchLastSection(false);
     return view;

@@ -4,23 +4,37 @@
 
 #include <QPainter>
 #include <QPixmap>
+#include <QPixmapCache>
 
 #include <algorithm>
 
 namespace luxdeck::gui {
 
+namespace {
+
+QIcon iconOf(const QPixmap& picture) {
+    QIcon icon(picture);
+    icon.addPixmap(picture, QIcon::Selected);  // else styles tint it in selected rows: its colour has a meaning
+    return icon;
+}
+
+}  // namespace
+
 QIcon verdictIcon(Verdict verdict) {
     if (verdict == Verdict::None) return {};
+    const QString key = QStringLiteral("luxdeck verdict %1").arg(static_cast<int>(verdict));
+    QPixmap picture;
+    if (QPixmapCache::find(key, &picture)) return iconOf(picture);
     constexpr int kSize = 32;
-    QPixmap picture(kSize, kSize);
+    picture = QPixmap(kSize, kSize);
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
     report::Canvas canvas(painter, 1, {});
     canvas.verdictSymbol(kSize / 2.0, kSize / 2.0, 0.8 * kSize, verdict);
-    QIcon icon(picture);
-    icon.addPixmap(picture, QIcon::Selected);  // else styles tint it in selected rows: its colour has a meaning
-    return icon;
+    painter.end();
+    QPixmapCache::insert(key, picture);
+    return iconOf(picture);
 }
 
 Verdict worstVerdict(const GridResult& grid) {

@@ -2,15 +2,19 @@
 
 #include "analysis/grids/layers.h"
 #include "engine/algorithms/registry.h"
+#include "engine/core/stopwatch.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace luxdeck::gui {
 
 namespace {
+
+constexpr double kShowEverySeconds = 1;  // rounds come faster, and each is drawn everywhere
 
 /// Everything of a scene that changes light but for how far its luminaires are dimmed, in hashes.
 std::string hashWithoutDimming(const Scene& scene) {
@@ -49,18 +53,25 @@ void Solving::start(const SolveSettings& wanted) {
     auto project = place_.project;
     auto settings = wanted;
     place_.jobs.start(JobKind::Solve, "Solving", [this, project, settings](const Progress& progress, const Jobs::Tell& tell) -> Jobs::Delivery {
-        auto use = [this, project](SolveResult result) {
-            return [this, project, shared = std::make_shared<const SolveResult>(std::move(result))] {
+        // Long for large scenes, and asked for with layers alone.
+        const std::string lightless = settings.byLuminaire ? hashWithoutDimming(project->project.scene) : std::string();
+        auto use = [this, project, lightless](SolveResult result) {
+            return [this, project, lightless, shared = std::make_shared<const SolveResult>(std::move(result))] {
                 // What closing stopped comes too late: it is not of the project that was opened after it.
                 if (!place_.project || place_.project->project.file != project->project.file) return;
                 of_ = project;
                 solved_ = result_ = shared;
-                lightless_ = hashWithoutDimming(project->project.scene);
+                lightless_ = lightless;
                 follow();
                 place_.tell(Change::Solve);
             };
         };
-        auto solved = luxdeck::solve(project->project, project->lit, settings, progress, [&](const SolveResult& soFar) { tell(use(soFar)); });
+        std::optional<Stopwatch> sinceShown;
+        auto solved = luxdeck::solve(project->project, project->lit, settings, progress, [&](const SolveResult& soFar) {
+            if (sinceShown && sinceShown->seconds() < kShowEverySeconds) return;
+            sinceShown.emplace();
+            tell(use(soFar));
+        });
         if (!solved && solved.error().code == ErrorCode::Cancelled) return {};
         if (!solved) return [this, error = solved.error()] { place_.complain(error); };
         return use(*std::move(solved));

@@ -1,5 +1,6 @@
 #include "gui/view3d/view_area.h"
 
+#include "gui/session/probe.h"
 #include "gui/session/surface_light.h"
 #include "gui/view3d/legend_bar.h"
 #include "gui/view3d/scene_view.h"
@@ -13,6 +14,26 @@
 
 namespace luxdeck::gui {
 
+namespace {
+constexpr int kReadMs = 100;  // between readings of the light under the cursor
+
+/// Diffuse, where the whole object is of one matt material.
+std::optional<double> reflectanceOf(const Scene& scene, const Selection& what) {
+    if (what.thing != Thing::Object) return {};
+    std::optional<std::uint32_t> material;
+    for (const auto& mesh : scene.meshes) {
+        if (mesh.object != what.index) continue;
+        if (material && *material != mesh.material) return {};
+        material = mesh.material;
+    }
+    if (!material) return {};
+    const auto& m = scene.materials[*material];
+    if (m.kind != MaterialKind::Matte || m.reflectancePattern >= 0 || m.reflectanceTexture.used()) return {};
+    return luminance(m.reflectance, scene.weights);
+}
+
+}  // namespace
+
 ViewArea::ViewArea(Session& session, QWidget* parent) : QWidget(parent), session_(session), rows_(new QSplitter(Qt::Vertical, this)), legend_(new LegendBar(session, this)) {
     setObjectName(QStringLiteral("viewArea"));
     auto* layout = new QHBoxLayout(this);
@@ -21,6 +42,11 @@ ViewArea::ViewArea(Session& session, QWidget* parent) : QWidget(parent), session
     layout->addWidget(rows_, 1);
     layout->addWidget(legend_);
     rows_->setChildrenCollapsible(false);
+    rest_.setSingleShot(true);
+    rest_.setInterval(kReadMs);
+    connect(&rest_, &QTimer::timeout, this, [this] {
+        if (unread_) read();
+    });
     session_.observe([area = QPointer<ViewArea>(this)](Change change) {
         if (area) area->heard(change);
     });
@@ -195,14 +221,23 @@ void ViewArea::showSelectedAt(const Vec3d& moveM, double turnDeg) {
 }
 
 void ViewArea::hovered(std::size_t index, const Picked& picked, QPoint at) {
-    const bool light = picked.what.thing == Thing::Grid && session_.solving.result() != nullptr;
-    const auto reading = readingOf(picked);
-    views_[index]->setReading(light ? reading : QString(), at);
+    hover_ = {index, picked, at};
+    unread_ = picked.any() && rest_.isActive();
+    if (!unread_) read();
+}
+
+void ViewArea::read() {
+    unread_ = false;
+    rest_.start();
+    if (hover_.view >= views_.size()) return;
+    const auto reading = readingOf(views_[hover_.view]->settings(), hover_.picked);
+    const bool light = reading.count(QLatin1Char('\n')) > 1;  // beside name and place
+    views_[hover_.view]->setReading(light ? reading : QString(), hover_.at);
     emit probed(QString(reading).replace(QLatin1Char('\n'), QStringLiteral("  ·  ")));
 }
 
 /// Name, light where it is known, and place.
-QString ViewArea::readingOf(const Picked& picked) const {
+QString ViewArea::readingOf(const ViewSettings& view, const Picked& picked) const {
     if (!picked.any() || !shared_.project) return {};
     const auto& project = shared_.project->project;
     const auto& units = session_.display().units;
@@ -223,6 +258,9 @@ QString ViewArea::readingOf(const Picked& picked) const {
         }
         if (result && !session_.solving.current()) lines << tr("old: the project has changed since");
     }
+    auto known = probe(session_, view, picked.point, picked.normal, reflectanceOf(project.scene, picked.what));
+    if (picked.what.thing == Thing::Grid) known.nearest.reset();  // that is the one above
+    if (known.fromVolume || known.nearest) lines << qt(known.text(units)).split(QStringLiteral("  ·  "));
     const auto length = [&](double metres) { return QString::number(units.lengthOf(metres), 'f', 2); };
     lines << QStringLiteral("%1, %2, %3 %4").arg(length(user.x), length(user.y), length(user.z), QString::fromUtf8(units.lengthUnit()));
     return lines.join(QLatin1Char('\n'));

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "gui/session/camera_motion.h"
+#include "gui/session/scene_pick.h"
 #include "gui/session/session.h"
 #include "gui/view3d/light_colours.h"
 #include "gui/view3d/shared_scene.h"
 
 #include <QImage>
+#include <QTimer>
 #include <QWidget>
 
 #include <optional>
@@ -18,7 +20,6 @@ namespace luxdeck::gui {
 class LegendBar;
 class SceneView;
 struct GizmoMotion;
-struct Picked;
 
 /// The middle of the window: one to four views of the project (as many as session.views()), and the one legend that they
 /// share. It follows the session by itself; what the user picks in it is session.selection().
@@ -75,8 +76,10 @@ private:
     void keyCommand(int key);
     void dragged(GizmoMotion motion, bool done);
     void ready(const SharedScene& shared);
-    [[nodiscard]] QString readingOf(const Picked& picked) const;
+    [[nodiscard]] QString readingOf(const ViewSettings& view, const Picked& picked) const;
+    /// At most ten times a second.
     void hovered(std::size_t index, const Picked& picked, QPoint at);
+    void read();
 
     Session& session_;
     SharedScene shared_;
@@ -84,6 +87,13 @@ private:
     QSplitter* rows_;
     LegendBar* legend_;
     ResolvedScale scale_;
+    struct Hover {
+        std::size_t view = 0;
+        Picked picked;
+        QPoint at;
+    } hover_;
+    QTimer rest_;                 // of the reading
+    bool unread_ = false;         // the cursor has moved on since
     std::size_t active_ = 0, lastProjectView_ = 0;
     std::optional<Pose> taken_;   // of the object in hand when the drag began
 };

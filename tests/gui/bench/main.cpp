@@ -3,6 +3,7 @@
 #include "gui/view3d/graphics.h"
 #include "gui/view3d/scene_view.h"
 #include "gui/view3d/view_area.h"
+#include "tests/gui/bench/gap_bench.h"
 #include "tests/gui/open_session.h"
 #include "tests/support/virtual_display.h"
 
@@ -134,6 +135,7 @@ int main(int argc, char** argv) {
     };
     for (const auto& [name, settings] : gui::kinds()) add("turn/" + name, settings, &gui::Room::frame);
     for (const auto& [name, settings] : gui::kinds()) add("whole/" + name, settings, &gui::Room::wholeFrame);
+    gui::addGapBenches();  // last: from then on all is on one core
     benchmark::RunSpecifiedBenchmarks();
     return 0;
 }
