@@ -2,8 +2,10 @@
 
 #include "analysis/report/canvas.h"
 
+#include <QEventLoop>
 #include <QGuiApplication>
 #include <QLoggingCategory>
+#include <QThread>
 
 #include <algorithm>
 #include <cctype>
@@ -23,10 +25,15 @@ std::string pdfDate(const std::string& created) {
     return "D:" + digits;
 }
 
+/// The caches of fonts use timers, which a thread that Qt did not start has only with a dispatcher.
+void readyThread() {
+    if (QThread::currentThread() != QCoreApplication::instance()->thread()) thread_local const QEventLoop dispatcher;
+}
+
 }  // namespace
 
 void ensureApplication() {
-    if (QCoreApplication::instance() != nullptr) return;
+    if (QCoreApplication::instance() != nullptr) return readyThread();
     // Its notes on desktop services ("XDG_RUNTIME_DIR not set") would stand between ours; what matters is in the Result.
     QLoggingCategory::setFilterRules("default.warning=false");
     static int count = 3;

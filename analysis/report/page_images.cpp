@@ -31,7 +31,9 @@ public:
     Pages(double dotsPerMm, int only) : scale_(dotsPerMm / kDotsPerMm), only_(only), size_(static_cast<int>(sheet::kWidth * dotsPerMm), static_cast<int>(sheet::kHeight * dotsPerMm)) {
         begin();
     }
-    ~Pages() { painter_.end(); }
+    ~Pages() {
+        if (painter_.isActive()) painter_.end();
+    }
     Pages(const Pages&) = delete;
     Pages& operator=(const Pages&) = delete;
 

@@ -111,19 +111,30 @@ void ImportDialog::done(const Result<void>& result, QWidget* button) {
     button->setEnabled(false);
 }
 
-void ImportDialog::exchange(const std::filesystem::path& file, const std::string& type) {
+std::string ImportDialog::takeIn(const std::filesystem::path& file) {
     const auto named = edits::photometryForProject(session_.document().file(), file);
-    if (!named) return session_.place.complain(named.error());
+    if (!named) {
+        session_.place.complain(named.error());
+        return {};
+    }
     if (named->copied) session_.place.note(file.filename().string() + " was copied into the project: " + named->shown);
-    if (const auto edited = session_.edit("Exchange photometry of " + type, edits::exchangePhotometry(type, named->shown)); !edited) session_.place.complain(edited.error());
+    return named->shown;
 }
 
-void ImportDialog::addType(const ImportedFile& file) {
-    const auto named = edits::photometryForProject(session_.document().file(), file.file);
-    if (!named) return session_.place.complain(named.error());
-    if (named->copied) session_.place.note(file.file.filename().string() + " was copied into the project: " + named->shown);
-    const auto edited = session_.edit("Add luminaire type", edits::addLuminaireType(named->shown, file.file.stem().string()));
-    if (!edited) session_.place.complain(edited.error());
+bool ImportDialog::edited(const std::string& what, const Session::Edit& edit) {
+    const auto done = session_.edit(what, edit);
+    if (!done) session_.place.complain(done.error());
+    return static_cast<bool>(done);
+}
+
+bool ImportDialog::exchange(const std::filesystem::path& file, const std::string& type) {
+    const auto shown = takeIn(file);
+    return !shown.empty() && edited("Exchange photometry of " + type, edits::exchangePhotometry(type, shown));
+}
+
+bool ImportDialog::addType(const ImportedFile& file) {
+    const auto shown = takeIn(file.file);
+    return !shown.empty() && edited("Add luminaire type", edits::addLuminaireType(shown, file.file.stem().string()));
 }
 
 void ImportDialog::offerPhotometry(const ImportedFile& file, QVBoxLayout* into) {
@@ -131,8 +142,7 @@ void ImportDialog::offerPhotometry(const ImportedFile& file, QVBoxLayout* into) 
     auto* add = new QPushButton(tr("Add as a luminaire type"), this);
     add->setObjectName(QStringLiteral("importAddType"));
     connect(add, &QPushButton::clicked, this, [this, add, file] {
-        addType(file);
-        add->setEnabled(false);
+        if (addType(file)) add->setEnabled(false);
     });
     into->addWidget(add);
     const auto& types = session_.project()->project.scene.luminaireTypes;
@@ -147,8 +157,7 @@ void ImportDialog::offerPhotometry(const ImportedFile& file, QVBoxLayout* into) 
     auto* exchangeButton = new QPushButton(tr("Exchange the file of"), this);
     exchangeButton->setObjectName(QStringLiteral("importExchange"));
     connect(exchangeButton, &QPushButton::clicked, this, [this, exchangeButton, choice, path = file.file] {
-        exchange(path, choice->currentData().toString().toStdString());
-        exchangeButton->setEnabled(false);
+        if (exchange(path, choice->currentData().toString().toStdString())) exchangeButton->setEnabled(false);
     });
     row->addWidget(exchangeButton);
     row->addWidget(choice, 1);

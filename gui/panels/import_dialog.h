@@ -26,8 +26,12 @@ private:
     void offerPhotometry(const ImportedFile& file, QVBoxLayout* into);
     void offerGeometry(const ImportedFile& file, QVBoxLayout* into);
     void offerVolume(const ImportedFile& file, QVBoxLayout* into);
-    void exchange(const std::filesystem::path& file, const std::string& type);
-    void addType(const ImportedFile& file);
+    /// As the project will name the file; empty: it cannot.
+    std::string takeIn(const std::filesystem::path& file);
+    bool edited(const std::string& what, const Session::Edit& edit);
+    /// True: the edit was taken up. What hinders it is complained of.
+    bool exchange(const std::filesystem::path& file, const std::string& type);
+    bool addType(const ImportedFile& file);
     void done(const Result<void>& result, QWidget* button);
 
     Session& session_;

@@ -112,7 +112,7 @@ void SolvePanel::refresh() {
     solve_->setText(running ? tr("Start again") : tr("Solve"));
     stop_->setEnabled(running);
     bar_->setVisible(running);
-    if (session_.project() && !possible) state_->setText(tr("This project has no calculation surface: add one with Edit > Add calculation surface."));
+    if (session_.project() && !possible) state_->setText(tr("This project has no calculation surface: add one with Insert > Calculation surface."));
     else if (!running) state_->clear();
     for (const auto& job : session_.place.jobs.states()) {
         if (job.kind != JobKind::Solve) continue;
