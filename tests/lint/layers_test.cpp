@@ -60,7 +60,7 @@ const std::vector<Library>& libraries() {
     static const std::vector<std::string> everywhere = {"engine", "tonemap", "analysis", "cli", "gui", "tests"};
     static const std::vector<Library> table = {
         {"the standard library", std::regex("[a-z_0-9]+"), everywhere},
-        {"POSIX", std::regex("(sys|netinet|arpa)/.*|(unistd|fcntl|dirent|poll|signal|termios|netdb|spawn|pthread|malloc)\\.h"),
+        {"POSIX", std::regex("(sys|netinet|arpa)/.*|(unistd|fcntl|dirent|poll|signal|termios|netdb|spawn|sched|pthread|malloc)\\.h"),
          everywhere},
         {"fmt", std::regex("fmt/.*"), everywhere},
         {"Imath", std::regex("Imath/.*"), {"engine", "tonemap", "analysis", "gui", "tests"}},
