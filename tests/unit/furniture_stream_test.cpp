@@ -117,16 +117,17 @@ TEST(ShadeStream, LightsAGradientAndLeavesOutWhatIsNotFinite) {
 }
 
 // Invariant: many blocks, one or all threads: the same bits, in the file's order.
-// Bug: one polygon of more corners than a chunk has triangles was lit beyond the end of the list of blocks.
-TEST(ShadeStream, OnePolygonMayBeMoreThanAChunk) {
+// Bug: a chunk of 65,536 triangles that ends in a polygon of many corners was lit beyond the end of the list of blocks.
+TEST(ShadeStream, APolygonMayCarryAChunkBeyondItsSize) {
     const Folder folder;
-    constexpr int kCorners = 70'000;  // a chunk is 65,536 triangles
+    constexpr int kCorners = 4000, kTriangles = 65'000;
     std::string text, face = "f";
     for (int i = 0; i < kCorners; ++i) {
         const double angle = 2 * kPiD * i / kCorners;
         text += fmt::format("v {:.9f} {:.9f} 0.5\n", 1 + 0.9 * std::cos(angle), 1 + 0.9 * std::sin(angle));
         face += fmt::format(" {}", i + 1);
     }
+    for (int i = 0; i < kTriangles; ++i) text += "f 1 1001 2001\n";
     const auto file = folder.write("disc.obj", text + face + "\n");
     const auto volume = gradient();
     const auto field = fieldOf(volume);
@@ -135,7 +136,7 @@ TEST(ShadeStream, OnePolygonMayBeMoreThanAChunk) {
         got += lux.size();
         return Result<void>();
     }, Progress()).value();
-    EXPECT_EQ(counts.triangles, static_cast<std::uint64_t>(kCorners - 2));
+    EXPECT_EQ(counts.triangles, static_cast<std::uint64_t>(kTriangles + kCorners - 2));
     EXPECT_EQ(got, 3 * (counts.triangles - counts.skipped));
 }
 
