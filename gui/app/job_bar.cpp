@@ -60,9 +60,7 @@ void JobBar::refresh() {
             layout_->addWidget(*at);
         }
         (*at)->text->setText(jobText(job));
-        const double fraction = fractionOf(job);
-        (*at)->bar->setRange(0, fraction < 0 ? 0 : 1000);
-        (*at)->bar->setValue(static_cast<int>(1000 * std::max(0.0, fraction)));
+        showProgress(*(*at)->bar, job);
         (*at)->stop->setEnabled(!job.cancelled);
     }
 }

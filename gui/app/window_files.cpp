@@ -29,14 +29,14 @@ void MainWindow::askToOpen() {
 }
 
 void MainWindow::open(const QString& file) {
-    if (!letGo()) return;
     const QFileInfo info(file);
-    if (!info.exists()) {
+    if (!info.exists()) {  // before changes are let go of: the project that is open stays
         memory_.forget(file);
         start_->refresh();
         session_.place.complain({ErrorCode::FileNotFound, "no such file", file.toStdString()});
         return;
     }
+    if (!letGo()) return;
     const auto path = info.absoluteFilePath();
     memory_.opened(path);
     start_->refresh();

@@ -4,12 +4,15 @@
 
 #include <QString>
 
+class QProgressBar;
+
 namespace luxdeck::gui {
 
 /// "Solving · 3.2 % · 4 s, about 12 s left": what is known of a job, in a line.
 QString jobText(const JobState& job);
 
-/// Of the work, 0..1; from the time that is left where the work itself does not tell; below 0: not known.
-double fractionOf(const JobState& job);
+/// As much of the bar as of the work is done (as the time left says, where the work itself does not tell); it swings while
+/// that is not known.
+void showProgress(QProgressBar& bar, const JobState& job);
 
 }  // namespace luxdeck::gui

@@ -221,9 +221,7 @@ void ReportPanel::refresh() {
     }
     for (const auto& job : session_.place.jobs.states()) {
         if (job.kind != JobKind::Report) continue;
-        const double fraction = fractionOf(job);
-        bar_->setRange(0, fraction < 0 ? 0 : 1000);
-        bar_->setValue(static_cast<int>(1000 * std::max(0.0, fraction)));
+        showProgress(*bar_, job);
         state_->setText(jobText(job));
     }
 }

@@ -185,9 +185,7 @@ void VolumeForm::refresh() {
     state_->setVisible(running);
     for (const auto& job : session_.place.jobs.states()) {
         if (job.kind != JobKind::Volume) continue;
-        const double fraction = fractionOf(job);
-        bar_->setRange(0, fraction < 0 ? 0 : 1000);
-        bar_->setValue(static_cast<int>(1000 * std::max(0.0, fraction)));
+        showProgress(*bar_, job);
         state_->setText(jobText(job));
         stop_->setEnabled(!job.cancelled);
     }

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 namespace luxdeck::gui {
@@ -37,8 +36,7 @@ void Comparing::start(const CompareSettings& settings) {
             });
         };
         auto result = compare(project->project, project->lit, settings, progress, heard);
-        if (!result && result.error().code == ErrorCode::Cancelled) return {};
-        if (!result) return [this, error = result.error()] { place_.complain(error); };
+        if (!result) return place_.complaint(result.error());
         return [this, project, all = std::make_shared<const Comparison>(*std::move(result))] {
             if (project != of_) return;
             for (const auto& warning : all->warnings) place_.warn(warning);
@@ -82,8 +80,7 @@ void Comparing::buildVolumes(const AlgorithmSettings& settings) {
             return {};
         };
         const auto done = compareVolumePairs(project->project, project->lit, settings, TakeVolume(keep), progress, found);
-        if (!done && done.error().code == ErrorCode::Cancelled) return {};
-        if (!done) return [this, error = done.error()] { place_.complain(error); };
+        if (!done) return place_.complaint(done.error());
         return [this, project, before, volumes = found.volumes] {
             if (project != of_ || before != result_) return;
             auto with = *result_;
@@ -96,15 +93,10 @@ void Comparing::buildVolumes(const AlgorithmSettings& settings) {
 
 Result<void> Comparing::save(const std::filesystem::path& folder) {
     if (!result_) return Error{ErrorCode::InvalidArgument, "nothing was compared yet", folder.string()};
-    place_.jobs.start(JobKind::Save, "Saving comparison", [this, result = result_, folder](const Progress&, const Jobs::Tell&) -> Jobs::Delivery {
-        auto written = writeComparison(*result, folder);
-        if (written) written = writeComparePlots(*result, folder);
-        return [this, folder, failed = written ? std::optional<Error>() : written.error()] {
-            if (failed) place_.complain(*failed);
-            else place_.note("Saved the comparison in " + folder.string());
-        };
+    place_.save("Saving comparison", "Saved the comparison in " + folder.string(), [result = result_, folder]() -> Result<void> {
+        if (auto written = writeComparison(*result, folder); !written) return written;
+        return writeComparePlots(*result, folder);
     });
-    place_.tell(Change::Jobs);
     return {};
 }
 

@@ -24,7 +24,7 @@ void Darkroom::start() {
         return [this, made, failed, pictures = wish.pictures] {
             busy_ = false;
             if (failed) place_.complain(*failed);
-            // What is no longer wished for (its project was closed) is not shown either.
+            // What is no longer wished for is not shown either.
             else if (wish_.pictures[0] || wish_.pictures[1]) shown_ = made, sources_ = pictures;
             if (fresh_) start();
             place_.tell(Change::Pictures);
@@ -34,7 +34,7 @@ void Darkroom::start() {
 
 void Darkroom::clear() {
     wish_ = {};
-    fresh_ = false;
+    busy_ = fresh_ = false;
     shown_ = {}, sources_ = {};
 }
 

@@ -162,11 +162,11 @@ void Furnishing::estimateRoom() {
     place_.jobs.cancel(asking_);
     asking_ = place_.jobs.start(JobKind::Furniture, "What " + object_ + " takes from the room", [this, live = live_, pose = pose_](const Progress& progress, const Jobs::Tell&) -> Jobs::Delivery {
         auto lighting = live->newLighting();
-        if (!lighting) return [this, error = lighting.error()] { place_.complain(error); };
+        if (!lighting) return place_.complaint(lighting.error());
         if (progress.cancelled()) return {};
         (*lighting)->update(pose);
         auto taken = estimateTaken(live->room.project->project, live->room.project->lit, **lighting);
-        if (!taken) return [this, error = taken.error()] { place_.complain(error); };
+        if (!taken) return place_.complaint(taken.error());
         return [this, live, pose, grids = *std::move(taken)] {
             if (live != live_) return;
             changeAt(pose).estimated = grids;
@@ -184,8 +184,7 @@ void Furnishing::solveRoom(const SolveSettings& settings) {
         const auto& room = *live->room.project;
         auto furnished = withObjectAt(room.project.scene, live->shown->project.scene, live->object.name, live->object, pose);
         auto solved = solveTaken(room.project, room.lit, std::move(furnished), settings, progress);
-        if (!solved && solved.error().code == ErrorCode::Cancelled) return {};
-        if (!solved) return [this, error = solved.error()] { place_.complain(error); };
+        if (!solved) return place_.complaint(solved.error());
         return [this, live, pose, exact = std::make_shared<const ExactTaken>(*std::move(solved))] {
             if (live != live_) return;
             changeAt(pose).exact = exact;

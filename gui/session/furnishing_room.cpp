@@ -1,6 +1,5 @@
 #include "gui/session/furnishing_room.h"
 
-#include "engine/algorithms/registry.h"
 #include "engine/volume/volume_build.h"
 
 #include <utility>
@@ -60,11 +59,9 @@ Result<EmptyRoom> emptyRoom(const LitProject& project, const std::string& object
     if (room.volume) return room;
     const auto settings = request ? Result<VolumeSettings>(request->settings) : volumeSettingsOf(room.project->project, {});
     if (!settings) return settings.error();
-    const auto wanted = request.value_or(VolumeRequest{});
-    const auto transport = room.project->lit.transport();
-    const auto estimator = makeEstimator(wanted.options.algorithm, transport, wanted.algorithmSettings, wanted.options.seed, progress);
-    if (!estimator) return estimator.error();
-    auto volume = buildVolume(transport, **estimator, *settings, wanted.options, progress);
+    auto wanted = request.value_or(VolumeRequest{});
+    wanted.settings = *settings;
+    auto volume = buildVolume(*room.project, wanted, progress);
     if (!volume) return volume.error();
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, "stopped", {}};
     room.volume = std::make_shared<const IrradianceVolume>(*std::move(volume));

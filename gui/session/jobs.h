@@ -48,6 +48,10 @@ public:
     void cancel(std::uint64_t id);
     void cancel(JobKind kind);
     void cancelAll();
+    /// Stops it and hears nothing more of it: what it was for is gone.
+    void abandon(std::uint64_t id);
+    /// The same of all but those that save: how saving ended is always told.
+    void abandonAll();
 
     [[nodiscard]] bool running(JobKind kind) const;
     [[nodiscard]] bool idle() const { return jobs_.empty(); }
@@ -58,12 +62,19 @@ public:
 
 private:
     struct Job;
-    void say(Delivery delivery);
+    /// What a job said, and whether that was its last word.
+    struct Said {
+        std::uint64_t job;
+        Delivery delivery;
+        bool last;
+    };
+    void say(Said said);
+    [[nodiscard]] std::list<std::unique_ptr<Job>>::iterator find(std::uint64_t id);
 
     std::function<void()> wake_;
     std::list<std::unique_ptr<Job>> jobs_;
     std::mutex mutex_;                  // of said_
-    std::vector<Delivery> said_;
+    std::vector<Said> said_;
     std::uint64_t next_ = 1;
 };
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 namespace luxdeck::gui {
@@ -157,14 +156,7 @@ Result<void> Pictures::save(std::uint64_t number, const std::filesystem::path& f
         return Error{ErrorCode::InvalidArgument, "saw \"" + kind + "\", expected a name that ends in .exr, .hdr or .png", file.string()};
     auto look = look_;
     look.legend = true;
-    place_.jobs.start(JobKind::Save, "Saving " + file.filename().string(), [this, image = state->image, look, file](const Progress&, const Jobs::Tell&) -> Jobs::Delivery {
-        const auto written = write(*image, look, file);
-        return [this, file, failed = written ? std::optional<Error>() : written.error()] {
-            if (failed) place_.complain(*failed);
-            else place_.note("Saved " + file.string());
-        };
-    });
-    place_.tell(Change::Jobs);
+    place_.save("Saving " + file.filename().string(), "Saved " + file.string(), [image = state->image, look, file] { return write(*image, look, file); });
     return {};
 }
 

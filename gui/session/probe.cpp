@@ -2,6 +2,7 @@
 
 #include "analysis/furniture/interpolation_error.h"
 #include "engine/volume/group_lookup.h"
+#include "gui/session/surface_light.h"
 
 #include <fmt/format.h>
 
@@ -80,8 +81,7 @@ std::optional<ProbeReading::GridPoint> nearestPoint(const Session& session, Ligh
         for (const auto& point : grid.points) {
             const double distance = (point.position - user).length();
             if (distance > reach || (best && distance >= best->distanceM) || grid.kind != GridKind::Planar || point.normal.dot(normal) < kAlike) continue;
-            const auto& value = part == LightPart::Direct ? point.direct : part == LightPart::Indirect ? point.indirect : point.total;
-            best = ProbeReading::GridPoint{grid.name, value, distance, !session.solving.current()};
+            best = ProbeReading::GridPoint{grid.name, lightOf(point, part), distance, !session.solving.current()};
         }
     }
     return best;

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace luxdeck::gui {
@@ -85,8 +84,7 @@ void Reporting::make(const ReportChoice& choice) {
     place_.jobs.start(JobKind::Report, "Making the report",
                       [this, project = place_.project, choice, before, comparison = current ? comparing_.result() : nullptr](const Progress& progress, const Jobs::Tell&) -> Jobs::Delivery {
         auto result = made(*project, choice, before, comparison, progress);
-        if (!result && result.error().code == ErrorCode::Cancelled) return {};
-        if (!result) return [this, error = result.error()] { place_.complain(error); };
+        if (!result) return place_.complaint(result.error());
         return [this, project, all = std::make_shared<Made>(*std::move(result))] { take(project, std::move(*all)); };
     });
     place_.tell(Change::Jobs);
@@ -120,14 +118,7 @@ void Reporting::look(std::size_t index, double dotsPerMm) {
 Result<void> Reporting::save(const std::filesystem::path& pdf) {
     if (!pages_) return Error{ErrorCode::InvalidArgument, "there is no report to export yet", pdf.string()};
     if (lowerExtension(pdf) != ".pdf") return Error{ErrorCode::InvalidArgument, "expected a name that ends in .pdf", pdf.string()};
-    place_.jobs.start(JobKind::Save, "Exporting " + pdf.filename().string(), [this, pages = pages_, pdf](const Progress&, const Jobs::Tell&) -> Jobs::Delivery {
-        const auto written = writeReport(pages->contents(), pdf);
-        return [this, pdf, failed = written ? std::optional<Error>() : written.error()] {
-            if (failed) place_.complain(*failed);
-            else place_.note("Exported " + pdf.string() + " and its JSON twin");
-        };
-    });
-    place_.tell(Change::Jobs);
+    place_.save("Exporting " + pdf.filename().string(), "Exported " + pdf.string() + " and its JSON twin", [pages = pages_, pdf] { return writeReport(pages->contents(), pdf); });
     return {};
 }
 

@@ -36,8 +36,7 @@ void Session::open(const fs::path& file, std::string text) {
 }
 
 void Session::close() {
-    place.jobs.cancelAll();
-    loading_ = 0;
+    place.jobs.abandonAll();
     document_ = Document();
     editable_ = false;
     place.project.reset();
@@ -55,21 +54,20 @@ void Session::close() {
 }
 
 void Session::load(const std::string& text, bool afterEdit) {
-    place.jobs.cancel(JobKind::Load);
+    place.jobs.abandon(loading_);
     const auto file = document_.file();
     const bool asText = editable_;
     loading_ = place.jobs.start(JobKind::Load, "Reading " + file.filename().string(), [=, this](const Progress&, const Jobs::Tell&) -> Jobs::Delivery {
         auto read = asText ? loadLit(file, text) : loadLit(std::vector<fs::path>{file});
         auto made = read ? std::make_shared<Result<std::shared_ptr<const LitProject>>>(std::shared_ptr<const LitProject>(*std::move(read)))
                          : std::make_shared<Result<std::shared_ptr<const LitProject>>>(read.error());
-        return [this, made, text, afterEdit] {
-            if (document_.text() != text && editable_) return;  // edited again meanwhile: that one's project counts
+        return [this, made, afterEdit] {
             if (*made) return arrived(**made);
             place.complain(made->error());
             if (!afterEdit) return;
             document_.withdraw();
             place.tell(Change::Document);
-            if (place.project && place.project->project.fileHash != contentHash(document_.text())) load(document_.text(), false);
+            if (place.project && place.project->project.fileHash != contentHash(document_.text())) load(document_.text(), true);
         };
     });
     place.tell(Change::Jobs);

@@ -90,7 +90,7 @@ private:
     Document document_;
     bool editable_ = false;
     bool autosaveFailed_ = false;
-    std::uint64_t loading_ = 0;  // the job whose project counts
+    std::uint64_t loading_ = 0;  // the job that reads the document
     Display display_;
     std::vector<ViewSettings> views_{ViewSettings{}};
     Selection selection_;

@@ -57,8 +57,6 @@ void Solving::start(const SolveSettings& wanted) {
         const std::string lightless = settings.byLuminaire ? hashWithoutDimming(project->project.scene) : std::string();
         auto use = [this, project, lightless](SolveResult result) {
             return [this, project, lightless, shared = std::make_shared<const SolveResult>(std::move(result))] {
-                // What closing stopped comes too late: it is not of the project that was opened after it.
-                if (!place_.project || place_.project->project.file != project->project.file) return;
                 of_ = project;
                 solved_ = result_ = shared;
                 lightless_ = lightless;
@@ -72,8 +70,7 @@ void Solving::start(const SolveSettings& wanted) {
             sinceShown.emplace();
             tell(use(soFar));
         });
-        if (!solved && solved.error().code == ErrorCode::Cancelled) return {};
-        if (!solved) return [this, error = solved.error()] { place_.complain(error); };
+        if (!solved) return place_.complaint(solved.error());
         return use(*std::move(solved));
     });
     place_.tell(Change::Jobs);

@@ -123,6 +123,7 @@ std::shared_ptr<const InterpolationError> VolumeLight::interpolation(const Volum
 }
 
 void VolumeLight::clear() {
+    making_ = false;
     interpolation_ = {};
     fields_.made.clear();
     spheres_.made.clear();

@@ -8,26 +8,24 @@
 
 namespace luxdeck::gui {
 
+Result<IrradianceVolume> buildVolume(const LitProject& project, const VolumeRequest& request, const Progress& progress) {
+    const auto scene = project.lit.transport();
+    const auto estimator = makeEstimator(request.options.algorithm, scene, request.algorithmSettings, request.options.seed, progress);
+    if (!estimator) return estimator.error();
+    return luxdeck::buildVolume(scene, **estimator, request.settings, request.options, progress);
+}
+
 void Volumes::build(const VolumeRequest& request) {
     if (!place_.project) return;
     place_.jobs.cancel(JobKind::Volume);
     auto project = place_.project;
     place_.jobs.start(JobKind::Volume, "Building volume " + request.name,
                       [this, project, request](const Progress& progress, const Jobs::Tell&) -> Jobs::Delivery {
-        const auto complain = [this](const Error& error) -> Jobs::Delivery {
-            if (error.code == ErrorCode::Cancelled) return {};
-            return [this, error] { place_.complain(error); };
-        };
-        const auto scene = project->lit.transport();
-        auto estimator = makeEstimator(request.options.algorithm, scene, request.algorithmSettings, request.options.seed, progress);
-        if (!estimator) return complain(estimator.error());
-        auto built = buildVolume(scene, **estimator, request.settings, request.options, progress);
-        if (!built) return complain(built.error());
+        auto built = buildVolume(*project, request, progress);
+        if (!built) return place_.complaint(built.error());
         auto volume = std::make_shared<const IrradianceVolume>(*std::move(built));
         return [this, project, volume, name = request.name] {
-            // What closing stopped comes too late: it is of no use to the project that was opened after it.
-            if (!place_.project || place_.project->project.file != project->project.file) return;
-            add({name, {}, volume, project, {}, place_.project && place_.project->project.scene.hash == volume->sceneHash});
+            add({name, {}, volume, project, {}, place_.project->project.scene.hash == volume->sceneHash});
         };
     });
     place_.tell(Change::Jobs);

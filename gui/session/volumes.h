@@ -28,6 +28,9 @@ struct VolumeRequest {
     AlgorithmSettings algorithmSettings;
 };
 
+/// On the calling thread. errors  of makeEstimator() and luxdeck::buildVolume()
+Result<IrradianceVolume> buildVolume(const LitProject& project, const VolumeRequest& request, const Progress& progress);
+
 /// The irradiance volumes of a session: built in the background, read and written.
 class Volumes {
 public:

@@ -53,6 +53,22 @@ public:
     void warn(std::string text) { enter({Severity::Warning, std::move(text)}); }
     /// What went wrong, in the log; the window shows errors at once.
     void complain(const Error& error) { enter({Severity::Error, error.text()}); }
+    /// The same as a job's last word; nothing of what was cancelled.
+    [[nodiscard]] Jobs::Delivery complaint(const Error& error) {
+        if (error.code == ErrorCode::Cancelled) return {};
+        return [this, error] { complain(error); };
+    }
+    /// Writes in the background.
+    ///
+    /// title  while it runs
+    /// done   for the log, when it went well; else what went wrong
+    void save(std::string title, std::string done, std::function<Result<void>()> write) {
+        jobs.start(JobKind::Save, std::move(title), [this, done = std::move(done), write = std::move(write)](const Progress&, const Jobs::Tell&) -> Jobs::Delivery {
+            if (const auto written = write(); !written) return complaint(written.error());
+            return [this, done] { note(done); };
+        });
+        tell(Change::Jobs);
+    }
     [[nodiscard]] const std::vector<LogEntry>& log() const { return log_; }
 
     /// The project as it is now; null: none is open. Jobs keep the one that they began with.

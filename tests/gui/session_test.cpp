@@ -121,6 +121,29 @@ TEST(Session, ClosingStopsWhatRuns) {
     EXPECT_TRUE(open.untilIdle());
 }
 
+// Bug: a project that was closed while it was being read came back when the reading ended.
+TEST(Session, WhatIsClosedWhileItIsReadStaysClosed) {
+    const OwnFolder folder;
+    OpenSession open;
+    open.session.open(folder.sample("office"));
+    open.session.close();
+    ASSERT_TRUE(open.untilIdle());
+    EXPECT_EQ(open.session.project(), nullptr);
+}
+
+// Bug: an impossible edit with another right upon it was never taken back: the second failed by the first, and alone was.
+TEST(Session, AnImpossibleEditIsTakenBackWithWhatFollowedIt) {
+    const OwnFolder folder;
+    OpenSession open;
+    ASSERT_TRUE(open.open(folder.sample("office")));
+    const auto before = open.session.document().text();
+    ASSERT_TRUE(open.session.edit("Bright carpet", replaced("reflectance = [0.190, 0.200, 0.215]", "reflectance = 1.9")));
+    ASSERT_TRUE(open.session.edit("Note", [](const std::string& text) -> Result<std::string> { return text + "# a note\n"; }));
+    ASSERT_TRUE(open.untilIdle());
+    EXPECT_EQ(open.session.document().text(), before);
+    EXPECT_THAT(open.errors(), HasSubstr("1.9"));
+}
+
 TEST(Session, AutosaveKeepsWhatIsNotSavedAndGoesWhenItIs) {
     const OwnFolder folder;
     const auto file = folder.sample("office");

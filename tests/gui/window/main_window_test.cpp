@@ -122,6 +122,19 @@ TEST(MainWindow, AFileThatIsGoneIsSaidAndForgotten) {
     EXPECT_FALSE(open.memory.recent().contains(QStringLiteral("/nowhere/project.toml")));
 }
 
+// Bug: changes were let go of before it was seen that there was nothing to open instead.
+TEST(MainWindow, AFileThatIsGoneCostsNoChanges) {
+    const OwnFolder folder;
+    OpenWindow open;
+    ASSERT_TRUE(open.open(folder.sample("office")));
+    ASSERT_TRUE(open.session().edit("Note", [](const std::string& text) -> Result<std::string> { return text + "# a note\n"; }));
+    ASSERT_TRUE(open.untilIdle());
+    open.window->open(QStringLiteral("/nowhere/project.toml"));
+    EXPECT_THAT(open.message(), HasSubstr("/nowhere/project.toml"));
+    EXPECT_TRUE(open.window->isWindowModified());
+    EXPECT_TRUE(open.session().editable());
+}
+
 TEST(MainWindow, ClosesWithWorkRunning) {
     const OwnFolder folder;
     OpenWindow open;
