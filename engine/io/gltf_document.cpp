@@ -42,6 +42,9 @@ int componentCount(const std::string& type) {
 const std::set<std::string, std::less<>>& knownExtensions() {
     static const std::set<std::string, std::less<>> kKnown{
         "EXT_lights_ies",          "KHR_lights_punctual",          "KHR_mesh_quantization",
+        "EXT_mesh_gpu_instancing", "KHR_node_visibility",          "KHR_animation_pointer",
+        "KHR_node_selectability",  "KHR_node_hoverability",        "KHR_interactivity",
+        "KHR_xmp_json_ld",         "KHR_xmp",                      "MSFT_lod",
         "KHR_texture_transform",   "KHR_materials_clearcoat",      "KHR_materials_emissive_strength",
         "KHR_materials_ior",       "KHR_materials_iridescence",    "KHR_materials_sheen",
         "KHR_materials_specular",  "KHR_materials_transmission",   "KHR_materials_unlit",

@@ -61,10 +61,6 @@ std::int64_t LightReader::makePunctual(const JsonView& light, std::size_t index)
     const std::string name = light["name"].text(fmt::format("light {}", index));
     const auto colour = light["color"].numbers<3>({1, 1, 1});
     const double intensity = light["intensity"].number(1);
-    if (kind == "directional") {
-        document_.warnings.add(fmt::format("directional light '{}' is left out: it is not a luminaire (a sun belongs to the sky)", name));
-        return -1;
-    }
     if (kind != "point" && kind != "spot") light["type"].fail(fmt::format("is '{}', expected point, spot or directional", kind));
     if (intensity < 0 || anyNegative(colour)) light.fail("intensity and color must not be negative");
     if (light["range"].present()) document_.warnings.add("range", "light ranges are left out: light falls with the square of distance alone");
@@ -102,17 +98,22 @@ std::int64_t LightReader::punctualType(std::size_t index) {
 }
 
 Result<Photometry> LightReader::loadProfile(const JsonView& profile) {
+    const auto read = [&](std::string_view bytes, const std::filesystem::path& name) {
+        if (auto tilt = readLampTilt(bytes, name)) profileTilt_ = *std::move(tilt);
+        return readIes(bytes, name);
+    };
+    profileTilt_ = {};
     if (!profile["uri"].present()) {
         const auto view = profile["bufferView"].index(document_.bufferViewCount(), "bufferViews");
         if (document_.failure.failed()) return document_.failure.error();
-        return readIes(document_.viewBytes(static_cast<std::size_t>(view)), document_.failure.file() + " " + profile.path());
+        return read(document_.viewBytes(static_cast<std::size_t>(view)), document_.failure.file() + " " + profile.path());
     }
     const auto bytes = document_.load(profile["uri"]);
     if (!bytes) return bytes.error();
     const std::string uri = profile["uri"].text();
     const bool embedded = uri.starts_with("data:");
     const auto folder = std::filesystem::path(document_.failure.file()).parent_path();
-    return readIes(*bytes, embedded ? std::filesystem::path(document_.failure.file() + " " + profile.path()) : folder / percentDecoded(uri));
+    return read(*bytes, embedded ? std::filesystem::path(document_.failure.file() + " " + profile.path()) : folder / percentDecoded(uri));
 }
 
 std::int64_t LightReader::profileType(std::size_t index, const JsonView& colourJson) {
@@ -136,7 +137,9 @@ std::int64_t LightReader::profileType(std::size_t index, const JsonView& colourJ
     type.colour = toRgb(colour) * static_cast<float>(1 / luminance);
     type.watts = photometry->watts;
     type.photometry = std::move(*photometry);
-    return known->second = addType(std::move(type));
+    known->second = addType(std::move(type));
+    tilts_[static_cast<std::uint32_t>(known->second)] = std::move(profileTilt_);
+    return known->second;
 }
 
 void LightReader::place(std::int64_t type, const std::string& name, const Matrix4d& world, double fluxScale) {
@@ -149,16 +152,37 @@ void LightReader::place(std::int64_t type, const std::string& name, const Matrix
     luminaire.name = name;
     luminaire.type = static_cast<std::uint32_t>(type);
     luminaire.frame = *frame;
-    luminaire.fluxScale = fluxScale;
+    const auto tilt = tilts_.find(luminaire.type);
+    luminaire.fluxScale = fluxScale * (tilt == tilts_.end() ? 1.0 : tilt->second.factor(luminaire.frame));
     scene_.luminaires.push_back(std::move(luminaire));
     positions_.push_back(position);
+}
+
+/// It shines along the node's -z, wherever the node is; its intensity is in lx on a surface that faces it. The format
+/// gives no size: it gets the sun's, 0.533 degrees.
+void LightReader::addSun(const JsonView& light, const std::string& name, const Matrix4d& world) {
+    const auto colour = light["color"].numbers<3>({1, 1, 1});
+    const double lux = light["intensity"].number(1);
+    if (lux < 0 || anyNegative(colour)) light.fail("intensity and color must not be negative");
+    const double luminance = luminanceOf(colour);
+    if (document_.failure.failed()) return;
+    const auto frame = frameOf(world);
+    if (!frame)
+        return document_.failure.set("", fmt::format("light of node '{}': its transform has no direction", name));
+    if (luminance * lux <= 0) return;
+    const Rgb chromaticity = toRgb(colour) * static_cast<float>(1 / luminance);
+    scene_.sky.suns.push_back(Sun::ofNormalLux(frame->normal, lux * luminance, chromaticity));
 }
 
 void LightReader::readNode(const JsonView& node, const std::string& name, const Matrix4d& world) {
     if (const auto light = node.extension("KHR_lights_punctual"); light.present()) {
         const auto count = document_.root().extension("KHR_lights_punctual")["lights"].size();
         const auto index = light["light"].index(count, "lights");
-        if (index >= 0) place(punctualType(static_cast<std::size_t>(index)), name, world, 1);
+        if (index < 0) return;
+        const auto lights = document_.root().extension("KHR_lights_punctual")["lights"];
+        const auto definition = lights.at(static_cast<std::size_t>(index));
+        if (definition["type"].text() == "directional") addSun(definition, name, world);
+        else place(punctualType(static_cast<std::size_t>(index)), name, world, 1);
     }
     if (const auto light = node.extension("EXT_lights_ies"); light.present()) {
         const auto count = document_.root().extension("EXT_lights_ies")["lights"].size();

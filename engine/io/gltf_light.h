@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/io/gltf_document.h"
+#include "engine/io/ies_tilt.h"
 #include "engine/scene/scene.h"
 
 #include <array>
@@ -11,7 +12,8 @@
 
 namespace luxdeck::gltf {
 
-/// Turns the lights that nodes carry (KHR_lights_punctual, EXT_lights_ies) into luminaires. Both shine along
+/// Turns the lights that nodes carry (KHR_lights_punctual, EXT_lights_ies) into luminaires, directional ones into
+/// suns. All shine along
 /// the node's -z, which is also where a luminaire's nadir points in its own frame.
 class LightReader {
 public:
@@ -32,6 +34,7 @@ private:
     std::int64_t profileType(std::size_t index, const JsonView& colour);
     Result<Photometry> loadProfile(const JsonView& profile);
     std::int64_t addType(LuminaireType type);
+    void addSun(const JsonView& light, const std::string& name, const Matrix4d& world);
     void place(std::int64_t type, const std::string& name, const Matrix4d& world, double fluxScale);
 
     Document& document_;
@@ -39,6 +42,8 @@ private:
     std::vector<Vec3d> positions_;
     std::map<std::size_t, std::int64_t> punctualTypes_;  // -1: not a luminaire
     std::map<ProfileKey, std::int64_t> profileTypes_;
+    std::map<std::uint32_t, LampTilt> tilts_;            // by type
+    LampTilt profileTilt_;                               // of the profile read last
 };
 
 /// The intensity of a spot by angle from its axis, tabulated. Source: KHR_lights_punctual, "Inner and outer

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <string_view>
 
 namespace luxdeck::gltf {
@@ -156,23 +158,67 @@ void MaterialReader::readTransmission(const JsonView& json, Material& material) 
         warn(material, fmt::format("transmission {:g} is left out: the surface is taken as opaque", factor));
         return;
     }
-    // Both faces reflect, again and again: a pane that absorbs nothing lets (1 - F) / (1 + F) through.
-    const double f0 = reflectanceAtNormal(material.ior);
-    material.kind = MaterialKind::ThinGlass;
-    material.transmittance = material.reflectance * static_cast<float>(factor * (1 - f0) / (1 + f0));
+    const bool approximated = extension["transmissionTexture"].present() || factor < 1 || material.roughness > 0.1F ||
+                              material.metallic > 0 || json["pbrMetallicRoughness"]["baseColorTexture"].present();
     material.reflectanceTexture = {};
     material.metallicRoughnessTexture = {};
-    if (extension["transmissionTexture"].present() || factor < 1 || material.roughness > 0.1F || material.metallic > 0 ||
-        json.extension("KHR_materials_volume")["thicknessFactor"].number(0) > 0 ||
-        json["pbrMetallicRoughness"]["baseColorTexture"].present())
-        warn(material, "transmission is approximated by a clear pane without thickness, texture or roughness");
+    const auto thickness = json.extension("KHR_materials_volume")["thicknessFactor"];
+    if (thickness.number(0) < 0) return thickness.fail(fmt::format("is {:g}, expected >= 0", thickness.number(0)));
+    const bool solid = thickness.number(0) > 0;
+    Material pane = material;
+    // Both faces reflect, again and again: a pane that absorbs nothing lets (1 - F) / (1 + F) through.
+    const double f0 = reflectanceAtNormal(material.ior);
+    pane.kind = MaterialKind::ThinGlass;
+    pane.transmittance = material.reflectance * static_cast<float>(factor * (1 - f0) / (1 + f0));
+    if (solid) {
+        makeSolid(json, factor, material);
+        const auto inside = material.transmittance;  // per metre, along the shortest way from face to face
+        const auto metres = static_cast<float>(thickness.number(0) * metresPerUnit_);
+        const auto way = [&](float t) { return static_cast<float>((1 - f0) / (1 + f0)) * std::pow(t, metres); };
+        pane.transmittance = {way(inside.r), way(inside.g), way(inside.b)};
+        panes_.emplace(static_cast<std::uint32_t>(scene_.materials.size()), pane);
+    } else {
+        material = std::move(pane);
+    }
+    if (approximated)
+        warn(material, fmt::format("transmission is approximated by clear {} without texture or roughness",
+                                   solid ? "glass" : "panes"));
+}
+
+/// The colour of the base tints light at each of the two faces that it goes through, the attenuation on the way between
+/// them. Ours knows the way alone: the faces' part is spread over the thickness.
+void MaterialReader::makeSolid(const JsonView& json, double factor, Material& material) {
+    const auto volume = json.extension("KHR_materials_volume");
+    const auto colourJson = volume["attenuationColor"], distanceJson = volume["attenuationDistance"];
+    const Rgb colour = this->colour(colourJson, Rgb{1.0F}, material);
+    const double distance = distanceJson.number(std::numeric_limits<double>::infinity()) * metresPerUnit_;
+    if (!(distance > 0)) return distanceJson.fail(fmt::format("is {:g}, expected > 0", distance));
+    const double thickness = volume["thicknessFactor"].number(0) * metresPerUnit_;
+    const auto perMetre = [&](float attenuation, float base) {
+        const double clear = std::isinf(distance) ? 1 : std::pow(static_cast<double>(attenuation), 1 / distance);
+        return static_cast<float>(clear * std::pow(base * factor, 2 / thickness));
+    };
+    const Rgb base = material.reflectance;
+    material.kind = MaterialKind::Dielectric;
+    material.transmittance = {perMetre(colour.r, base.r), perMetre(colour.g, base.g), perMetre(colour.b, base.b)};
+    if (volume["thicknessTexture"].present())
+        warn(material, "thicknessTexture is left out: the mesh itself says how thick it is");
+    if (base != Rgb{1.0F} || factor < 1)
+        warn(material, "the tint of its faces is spread over its thickness");
+}
+
+std::uint32_t MaterialReader::paneInstead(std::uint32_t material) {
+    const auto [known, isNew] = usedPanes_.try_emplace(material, static_cast<std::uint32_t>(scene_.materials.size()));
+    if (isNew) scene_.materials.push_back(panes_.at(material));
+    return known->second;
 }
 
 void MaterialReader::readAlpha(const JsonView& json, Material& material) {
     const std::string mode = json["alphaMode"].text("OPAQUE");
     const auto cutoff = json["alphaCutoff"];
     if (cutoff.number(0.5) < 0) cutoff.fail("is negative");
-    if (mode == "OPAQUE" || material.kind == MaterialKind::ThinGlass) return;
+    const bool clear = material.kind == MaterialKind::ThinGlass || material.kind == MaterialKind::Dielectric;
+    if (mode == "OPAQUE" || clear) return;
     if (mode != "MASK" && mode != "BLEND") {
         json["alphaMode"].fail("is none of OPAQUE, MASK, BLEND");
         return;
@@ -215,7 +261,8 @@ void MaterialReader::warnOfTheRest(const JsonView& json, const Material& materia
     if (extensions == nullptr) return;
     for (const auto& [name, value] : *extensions) {
         if (std::find(kRead.begin(), kRead.end(), name) != kRead.end()) continue;
-        if (name == "KHR_materials_volume" && material.kind == MaterialKind::ThinGlass) continue;
+        const bool clear = material.kind == MaterialKind::ThinGlass || material.kind == MaterialKind::Dielectric;
+        if (name == "KHR_materials_volume" && clear) continue;
         warn(material, name + " is left out");
     }
 }

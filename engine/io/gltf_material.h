@@ -22,10 +22,17 @@ class MaterialReader {
 public:
     MaterialReader(Document& document, Scene& scene) : document_(document), scene_(scene) {}
 
+    /// What one unit of the file is, for what is absorbed on a length: 1 unless readAll() is told otherwise before [m].
+    void setMetresPerUnit(double metres) { metresPerUnit_ = metres; }
+
     /// All materials of the document, in its order.
     void readAll();
     /// index  of the document; -1: a primitive without a material
     MaterialUse use(std::int64_t index);
+    /// Whether a material of the scene is the surface of a solid (KHR_materials_volume with a thickness).
+    [[nodiscard]] bool isSolid(std::uint32_t material) const { return panes_.contains(material); }
+    /// What stands for it on a surface that encloses nothing: a pane of its thickness.
+    std::uint32_t paneInstead(std::uint32_t material);
 
 private:
     using TextureKey = std::tuple<std::size_t, TextureWrap, TextureWrap, bool>;  // image, wraps, srgb
@@ -36,6 +43,7 @@ private:
     void readSpecularGlossiness(const JsonView& extension, MaterialUse& use, Material& material);
     void readSpecular(const JsonView& json, Material& material);
     void readTransmission(const JsonView& json, Material& material);
+    void makeSolid(const JsonView& json, double factor, Material& material);
     void readAlpha(const JsonView& json, Material& material);
     [[nodiscard]] float leastAlpha(const Material& material) const;
     void checkUnusedTextures(const JsonView& json);
@@ -52,6 +60,9 @@ private:
     Scene& scene_;
     std::vector<MaterialUse> uses_;
     std::int64_t defaultMaterial_ = -1;
+    double metresPerUnit_ = 1;
+    std::map<std::uint32_t, Material> panes_;          // by the solid's material
+    std::map<std::uint32_t, std::uint32_t> usedPanes_; // the same, in the scene
     std::map<TextureKey, std::int32_t> textures_;
     std::uint64_t texturePixels_ = 0;
 };

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace luxdeck::gltf {
 
@@ -167,6 +168,11 @@ Primitive readPrimitive(Document& document, const JsonView& json, const std::str
 }
 
 }  // namespace
+
+void Primitive::turnRound() {
+    for (auto& triangle : triangles) std::swap(triangle[1], triangle[2]);
+    for (auto& normal : normals) normal = -normal;
+}
 
 MeshSize meshSize(Document& document, const JsonView& mesh) {
     MeshSize size;

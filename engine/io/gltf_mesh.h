@@ -15,6 +15,8 @@ struct Primitive {
     std::vector<Vec2> uvs;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::uint32_t material = 0;
+
+    void turnRound();  ///< makes its triangles and normals face the other way
 };
 
 /// The most vertices and triangles that readMesh() can make of a mesh, from its accessors' counts alone.

@@ -11,21 +11,6 @@ namespace {
 
 constexpr std::int64_t kNoParent = -1;
 
-Matrix4d fromQuaternion(const JsonView& json) {
-    const auto q = json.numbers<4>({0, 0, 0, 1});
-    const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-    if (!(length > 0)) {
-        json.fail("is a quaternion without length");
-        return {};
-    }
-    const double x = q[0] / length, y = q[1] / length, z = q[2] / length, w = q[3] / length;
-    // Row vectors: the transpose of the usual matrix.
-    return {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0,
-            2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 0,
-            2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y), 0,
-            0, 0, 0, 1};
-}
-
 Matrix4d localMatrix(const JsonView& node) {
     if (const auto json = node["matrix"]; json.present()) {
         // Columns one after the other for column vectors are rows one after the other for row vectors.
@@ -37,10 +22,12 @@ Matrix4d localMatrix(const JsonView& node) {
     }
     const auto t = node["translation"].numbers<3>({0, 0, 0});
     const auto s = node["scale"].numbers<3>({1, 1, 1});
-    const Matrix4d scale(s[0], 0, 0, 0, 0, s[1], 0, 0, 0, 0, s[2], 0, 0, 0, 0, 1);
-    const Matrix4d translation(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, t[0], t[1], t[2], 1);
-    return scale * fromQuaternion(node["rotation"]) * translation;
+    const auto matrix = nodeMatrix(t, node["rotation"].numbers<4>({0, 0, 0, 1}), s);
+    if (!matrix) node["rotation"].fail("is a quaternion without length");
+    return matrix.value_or(Matrix4d());
 }
+
+bool isVisible(const JsonView& node) { return node.extension("KHR_node_visibility")["visible"].flag(true); }
 
 /// The children of every node, after checking that each has one parent at most.
 std::vector<std::vector<std::size_t>> readChildren(Document& document, std::vector<std::int64_t>& parents) {
@@ -124,6 +111,21 @@ std::vector<std::size_t> roots(Document& document, const std::vector<std::int64_
 
 }  // namespace
 
+std::optional<Matrix4d> nodeMatrix(const std::array<double, 3>& t, const std::array<double, 4>& q,
+                                   const std::array<double, 3>& s) {
+    const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    if (!(length > 0)) return std::nullopt;
+    const double x = q[0] / length, y = q[1] / length, z = q[2] / length, w = q[3] / length;
+    // Row vectors: the transpose of the usual matrix.
+    const Matrix4d rotation(1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0,
+                            2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 0,
+                            2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y), 0,
+                            0, 0, 0, 1);
+    const Matrix4d scale(s[0], 0, 0, 0, 0, s[1], 0, 0, 0, 0, s[2], 0, 0, 0, 0, 1);
+    const Matrix4d translation(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, t[0], t[1], t[2], 1);
+    return scale * rotation * translation;
+}
+
 std::string nodeName(const JsonView& node) { return node["name"].text(node.path()); }
 
 std::vector<PlacedNode> placeNodes(Document& document, const Matrix4d& placement) {
@@ -134,10 +136,12 @@ std::vector<PlacedNode> placeNodes(Document& document, const Matrix4d& placement
     refuseRings(document, children, parents);
     if (document.failure.failed()) return placed;
     const auto nodes = document.root()["nodes"];
-    for (const auto root : roots(document, parents)) placed.push_back({root, localMatrix(nodes.at(root)) * placement});
+    for (const auto root : roots(document, parents))
+        placed.push_back({root, localMatrix(nodes.at(root)) * placement, isVisible(nodes.at(root))});
     for (std::size_t i = 0; i < placed.size() && !document.failure.failed(); ++i)
         for (const auto child : children[placed[i].node])
-            placed.push_back({child, localMatrix(nodes.at(child)) * placed[i].world});
+            placed.push_back({child, localMatrix(nodes.at(child)) * placed[i].world,
+                              isVisible(nodes.at(child)) && placed[i].visible});
     return placed;
 }
 

@@ -35,8 +35,8 @@ struct ScenePart {
 /// rounded to whole metres so that the shift is exact.
 Vec3d chooseOrigin(const Box3d& bounds);
 
-/// glTF and GLB. Lights of KHR_lights_punctual (point, spot) and EXT_lights_ies become luminaires;
-/// a directional light is refused by name with a warning (it is not a luminaire).
+/// glTF and GLB. Lights of KHR_lights_punctual (point, spot) and EXT_lights_ies become luminaires, directional ones
+/// suns of the scene's sky.
 ///
 /// errors  FileNotFound, Parse, Unsupported; nothing is allocated that the file's size does not justify
 Result<ScenePart> readGltf(const std::filesystem::path& path, const GeometryPlacement& placement);
