@@ -1,7 +1,8 @@
 #include "engine/io/scene_files.h"
 
 #include "engine/core/file.h"
-#include "engine/io/gltf_uri.h"
+#include "engine/io/obj_colours.h"
+#include "engine/io/obj_files.h"
 #include "engine/io/obj_material.h"
 #include "engine/io/obj_polygon.h"
 #include "engine/io/obj_text.h"
@@ -38,6 +39,7 @@ struct Corner {
 struct GrowingMesh {
     std::uint32_t object = 0, material = 0;
     bool hasUvs = false, hasNormals = false;
+    bool coloured = false;  ///< uv is not the file's but a number of VertexColours
     std::vector<Corner> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
@@ -68,6 +70,7 @@ public:
     }
 
     void store(const Matrix4d& placement) {
+        colours_.finish(part_.scene, warnings_);
         std::vector<PlacedMesh> placed;
         for (auto& mesh : meshes_) {
             placed.push_back(place(mesh, placement));
@@ -108,6 +111,18 @@ private:
         if (!isFinite(p))
             fail(fmt::format("vertex {} is ({}, {}, {}), expected finite numbers", positions_.size() + 1, p.x, p.y, p.z));
         positions_.push_back(p);
+        readColour(words);
+    }
+
+    /// r g b after x y z; one number there is the weight w of a curve's point, and says nothing.
+    void readColour(Words& words) {
+        std::array<double, 3> c{};
+        for (auto& value : c) {
+            const auto number = words.number();
+            if (!number || !std::isfinite(*number)) return;
+            value = *number;
+        }
+        colours_.add(positions_.size() - 1, Vec3(Vec3d(c[0], c[1], c[2])));
     }
 
     void readNormal(Words& words) {  // one that is not finite makes its mesh flat: see place()
@@ -131,12 +146,12 @@ private:
     }
 
     void readLibrary(Words& words) {
-        const std::string name(words.remainder());
-        std::string forward = name;
-        std::replace(forward.begin(), forward.end(), '\\', '/');
-        const auto file = gltf::resolveBelow(path_.parent_path(), forward);
-        if (!file) return fail(fmt::format("mtllib {}", file.error().message), file.error().code);
-        if (const auto result = library_.read(*file); !result && !error_) error_ = result.error();
+        for (const auto& name : obj::libraryNames(path_.parent_path(), words.remainder())) {
+            const auto file = obj::findNamed(path_.parent_path(), name);
+            if (!file) return fail(fmt::format("mtllib {}", file.error().message), file.error().code);
+            if (!file->note.empty()) warnings_.add(fmt::format("line {}: mtllib {}", line_, file->note));
+            if (const auto result = library_.read(file->path); !result && !error_) error_ = result.error();
+        }
     }
 
     /// An index as the file gives it (from 1, or negative from the end), as one from 0.
@@ -186,27 +201,58 @@ private:
         const auto all = [&](auto member) {
             return std::all_of(corners_.begin(), corners_.end(), [&](const Corner& c) { return c.*member != kNone; });
         };
-        const std::uint32_t mesh = currentMesh(all(&Corner::uv), all(&Corner::normal));
+        const bool coloured = takeColour();
+        const std::uint32_t mesh = currentMesh(!coloured && all(&Corner::uv), all(&Corner::normal), coloured);
         for (const auto& triangle : triangles_)
             meshes_[mesh].triangles.push_back({vertex(mesh, corners_[triangle[0]]), vertex(mesh, corners_[triangle[1]]),
                                                vertex(mesh, corners_[triangle[2]])});
     }
 
+    /// Gives the face's corners the number of its colour, where that is what its material is known by.
+    bool takeColour() {
+        if (!colours_.any()) return false;
+        const auto has = [&](const Corner& c) { return colours_.has(c.position); };
+        if (!std::all_of(corners_.begin(), corners_.end(), has)) {
+            if (std::any_of(corners_.begin(), corners_.end(), has))
+                warnings_.add("half coloured", fmt::format("line {}: not all corners of a face have a vertex colour: "
+                                                           "the others' are left out", line_));
+            return false;
+        }
+        if (library_.describes(material_)) {
+            warnings_.add("coloured twice", fmt::format("line {}: vertex colours are left out, as a library describes "
+                                                        "the material", line_));
+            return false;
+        }
+        std::vector<std::uint32_t> vertices;
+        for (const auto& corner : corners_) vertices.push_back(corner.position);
+        const auto colour = colours_.face(vertices);
+        for (auto& corner : corners_) corner.uv = colour;
+        return true;
+    }
+
+    std::uint32_t colouredMaterial() {
+        const auto [known, isNew] = colouredMaterials_.try_emplace(material_, 0);
+        if (isNew) known->second = colours_.addMaterial(part_.scene, material_);
+        return known->second;
+    }
+
     /// The mesh that takes faces now; faces with and without normals or texture coordinates go to different ones.
-    std::uint32_t currentMesh(bool hasUvs, bool hasNormals) {
-        if (mesh_ != kNone && meshes_[mesh_].hasUvs == hasUvs && meshes_[mesh_].hasNormals == hasNormals) return mesh_;
-        const auto material = library_.find(material_);
+    std::uint32_t currentMesh(bool hasUvs, bool hasNormals, bool coloured) {
+        if (mesh_ != kNone && meshes_[mesh_].hasUvs == hasUvs && meshes_[mesh_].hasNormals == hasNormals &&
+            meshes_[mesh_].coloured == coloured)
+            return mesh_;
+        const auto material = coloured ? colouredMaterial() : library_.find(material_);
         const auto [object, isNewObject] = objects_.try_emplace(object_, static_cast<std::uint32_t>(part_.scene.objects.size()));
         if (isNewObject) part_.scene.objects.push_back({object_.empty() ? path_.stem().string() : object_, false});
         const auto [known, isNew] = meshIndices_.try_emplace({object->second, material, hasUvs, hasNormals},
                                                              static_cast<std::uint32_t>(meshes_.size()));
-        if (isNew) meshes_.push_back({object->second, material, hasUvs, hasNormals, {}, {}});
+        if (isNew) meshes_.push_back({object->second, material, hasUvs, hasNormals, coloured, {}, {}});
         return mesh_ = known->second;
     }
 
     /// The vertex of a mesh that stands for a corner.
     std::uint32_t vertex(std::uint32_t mesh, Corner corner) {
-        if (!meshes_[mesh].hasUvs) corner.uv = kNone;
+        if (!meshes_[mesh].hasUvs && !meshes_[mesh].coloured) corner.uv = kNone;
         if (!meshes_[mesh].hasNormals) corner.normal = kNone;
         if (heads_.size() < positions_.size()) heads_.resize(std::max(positions_.size(), 2 * heads_.size()), kNone);
         int steps = 0;
@@ -233,6 +279,7 @@ private:
         for (const auto& corner : source.vertices) {
             placed.positions.push_back(positions_[corner.position] * placement);
             if (source.hasUvs) mesh.uvs.push_back(uvs_[corner.uv]);
+            if (source.coloured) mesh.uvs.push_back(colours_.uv(corner.uv));
             if (source.hasNormals) mesh.normals.push_back(normals_[corner.normal]);
         }
         if (!transformNormals(placement, mesh.normals)) {
@@ -249,6 +296,8 @@ private:
     std::size_t line_ = 0;
     std::optional<Error> error_;
 
+    obj::VertexColours colours_;
+    std::unordered_map<std::string, std::uint32_t> colouredMaterials_;  ///< by usemtl's name
     std::vector<Vec3d> positions_;
     std::vector<Vec2> uvs_;
     std::vector<Vec3> normals_;

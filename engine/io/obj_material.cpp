@@ -1,7 +1,7 @@
 #include "engine/io/obj_material.h"
 
 #include "engine/core/file.h"
-#include "engine/io/gltf_uri.h"
+#include "engine/io/obj_files.h"
 #include "engine/io/obj_mtl.h"
 #include "engine/io/texture_image.h"
 
@@ -46,6 +46,7 @@ Result<void> MaterialLibrary::read(const std::filesystem::path& file) {
             warnings_.add(fmt::format("{}: material '{}' is defined again: the first one counts", record.where, record.name));
             continue;
         }
+        described_.insert(record.name);
         scene_.materials.push_back(convert(record));
     }
     return {};
@@ -77,9 +78,10 @@ TextureSlot MaterialLibrary::loadMap(const std::optional<MtlRecord::Map>& map, c
             warn(material, fmt::format("texture {} is left out, its factor alone is used", error.text()));
             return TextureSlot{};
         };
-        const auto path = gltf::resolveBelow(folder_, map->file);
-        if (!path) return refuse(path.error());
-        const auto bytes = readFile(*path);
+        const auto found = findNamed(folder_, map->file);
+        if (!found) return refuse(found.error());
+        if (!found->note.empty()) warn(material, "a map " + found->note);
+        const auto bytes = readFile(found->path);
         if (!bytes) return refuse(bytes.error());
         auto texture = decodeTexture(*bytes, map->file);
         if (!texture) return refuse(texture.error());

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -38,6 +39,7 @@ public:
 
     /// Reads an MTL file. One that is missing is a warning: its materials become grey.
     Result<void> read(const std::filesystem::path& file);
+    [[nodiscard]] bool describes(const std::string& name) const { return described_.contains(name); }
     /// The index of a material in the scene; a grey one for names that no library has.
     std::uint32_t find(const std::string& name);
 
@@ -53,6 +55,7 @@ private:
     WarningList& warnings_;
     std::filesystem::path folder_;
     std::map<std::string, std::uint32_t, std::less<>> indices_;
+    std::set<std::string, std::less<>> described_;  // by a library
     std::map<std::tuple<std::string, bool>, std::int32_t> textures_;  // file, clamped -> scene texture; -1: cannot be read
 };
 

@@ -1,6 +1,7 @@
 #include "engine/io/obj_polygon.h"
 #include "engine/io/scene_files.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -165,6 +166,81 @@ TEST_F(Obj, MissingPicturesAndLibrariesAreWarnings) {
     EXPECT_THAT(material("Kd 1 1 1\nmap_Kd ../../etc/x.png\n").reflectanceTexture.used(), false);
     write("m.mtl", "newmtl m\nKd a b c\n");
     EXPECT_THAT(read("mtllib m.mtl\n").error().where, HasSubstr("m.mtl:2"));
+}
+
+/// The bug: `mtllib a.mtl b.mtl` was taken for one name with a space.
+TEST_F(Obj, LibrariesAreNamedAsProgramsWriteThem) {
+    write("a.mtl", "newmtl a\nKd 0.1 0.1 0.1\n");
+    write("b.mtl", "newmtl b\nKd 0.2 0.2 0.2\n");
+    write("my room.mtl", "newmtl c\nKd 0.3 0.3 0.3\n");
+    const std::string uses = kTriangle + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n";
+    for (const char* lines : {"mtllib a.mtl b.mtl my room.mtl\n", "mtllib my room.mtl a.mtl\nmtllib b.mtl\n",
+                              "mtllib \"my room.mtl\"\nmtllib  b.mtl\ta.mtl \r\n", "mtllib .\\a.mtl b.mtl\nmtllib my room.mtl\n"}) {
+        const auto part = read(lines + uses);
+        ASSERT_TRUE(part) << part.error().text();
+        for (const auto& [name, kd] : {std::pair{"a", 0.1F}, {"b", 0.2F}, {"c", 0.3F}}) {
+            bool found = false;
+            for (const auto& m : part->scene.materials) found |= m.name == name && m.reflectance == Rgb(kd);
+            EXPECT_TRUE(found) << lines << name;
+        }
+    }
+    const auto missing = read("mtllib gone one.mtl a.mtl gone.mtl\nusemtl a\n" + kTriangle);
+    EXPECT_THAT(missing->scene.warnings, testing::Contains(HasSubstr("gone one.mtl is not there")));
+    EXPECT_THAT(missing->scene.warnings, testing::Contains(HasSubstr("/gone.mtl is not there")));
+    EXPECT_EQ(missing->scene.materials[0].reflectance, Rgb(0.1F));
+}
+
+TEST_F(Obj, FilesOfOtherMachinesAreFoundBesideTheModel) {
+    write("Paint.MTL", "newmtl m\nKd 0.3 0.3 0.3\n");
+    for (const char* name : {"paint.mtl", "C:\\Users\\me\\Paint.mtl", "/models/paint.mtl", "..\\lib\\PAINT.mtl"}) {
+        const auto part = read(std::string("mtllib ") + name + "\nusemtl m\n" + kTriangle);
+        ASSERT_TRUE(part) << name << part.error().text();
+        EXPECT_EQ(part->scene.materials.at(0).reflectance, Rgb(0.3F)) << name;
+        EXPECT_THAT(part->scene.warnings, testing::Contains(HasSubstr("taken is 'Paint.MTL'"))) << name;
+    }
+    EXPECT_FALSE(read("mtllib C:\\Users\\me\\other.mtl\n" + kTriangle));
+}
+
+/// The colours of vertices were dropped without a word: a red model came out grey.
+TEST_F(Obj, VertexColoursAreTheFacesReflectances) {
+    const auto part = read("v 0 0 0 0.8 0.1 0.4\nv 1 0 0 0.8 0.1 0.4\nv 0 1 0 0.8 0.1 0.4\nv 1 1 0 0.2 0.1 0\n"
+                           "v 5 5 5\nf 1 2 3\nf 2 4 3\nf 1 2 5\n");
+    ASSERT_TRUE(part) << part.error().text();
+    const auto& s = part->scene;
+    ASSERT_EQ(s.meshes.size(), 2U);
+    const auto& mesh = s.meshes[0];
+    const auto& material = s.materials[mesh.material];
+    ASSERT_EQ(material.reflectanceTexture.texture, 0);
+    const auto colour = [&](std::size_t triangle) {
+        const auto texel = s.textures[0].sample(mesh.uvs[mesh.triangles[triangle][0]]);
+        return Vec3(texel.r * material.reflectance.r, texel.g * material.reflectance.g, texel.b * material.reflectance.b);
+    };
+    // Texels are 8 bits of the largest of each channel: half a step of 0.8 / 255.
+    EXPECT_LT((colour(0) - Vec3(0.8F, 0.1F, 0.4F)).length(), 0.003F);
+    EXPECT_LT((colour(1) - Vec3(0.6F, 0.1F, 0.8F / 3)).length(), 0.003F) << "the mean of its corners";
+    EXPECT_THAT(s.warnings, testing::Contains(HasSubstr("vertex colours are taken as reflectances")));
+    EXPECT_THAT(s.warnings, testing::Contains(HasSubstr("not all corners")));
+    EXPECT_EQ(s.materials[s.meshes[1].material].reflectance, Rgb(0.5F));
+
+    write("m.mtl", "newmtl m\nKd 0.3 0.3 0.3\n");
+    const std::string red = "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\n";
+    const auto described = read("mtllib m.mtl\nusemtl m\n" + red + "f 1 2 3\n");
+    EXPECT_EQ(described->scene.materials.at(0).reflectance, Rgb(0.3F));
+    EXPECT_THAT(described->scene.warnings, testing::Contains(HasSubstr("vertex colours are left out")));
+    const auto bytes = read("v 0 0 0 255 0 51\nv 1 0 0 255 0 51\nv 0 1 0 255 0 51\nf 1 2 3\n");
+    EXPECT_EQ(bytes->scene.materials.at(0).reflectance, (Rgb{1, 0, 0.2F}));
+    EXPECT_THAT(bytes->scene.warnings, testing::Contains(HasSubstr("counting to 255")));
+}
+
+TEST_F(Obj, ManyColoursFitOnePicture) {
+    std::string text;
+    for (int i = 0; i < 70000; ++i) text += fmt::format("v {} 0 0 {:.6f} {:.6f} 0.5\n", i % 7, (i % 300) / 300.0, (i / 300) / 300.0);
+    for (int i = 1; i + 2 <= 70000; i += 3) text += fmt::format("f {} {} {}\n", i, i + 1, i + 2);
+    const auto part = read(text);
+    ASSERT_TRUE(part) << part.error().text();
+    const auto& texture = part->scene.textures.at(0);
+    EXPECT_LE(texture.width * texture.height, 65536);
+    EXPECT_EQ(texture.rgba.size(), std::size_t{4} * static_cast<std::size_t>(texture.width * texture.height));
 }
 
 TEST_F(Obj, CutsConcavePolygons) {
