@@ -110,14 +110,20 @@ Error atSky(const SkySpec& spec, const std::string& message) { return {ErrorCode
 Result<void> readWeather(SkySpec& spec) {
     const auto bytes = readFile(spec.weather->path, kMaxWeatherBytes);
     if (!bytes) return inNamedFile(bytes.error(), "weather", *spec.weather);
-    const bool wea = spec.weather->path.extension() == ".wea";
-    const auto weather = wea ? readWea(*bytes, spec.weather->shown) : readEpw(*bytes, spec.weather->shown);
+    const auto weather = readWeatherFile(*bytes, spec.weather->shown);
     if (!weather) return inNamedFile(weather.error(), "weather", *spec.weather);
     const auto* row = weather->at(spec.time.month, spec.time.day, spec.time.hour);
-    if (row == nullptr)
-        return atSky(spec, fmt::format("{} has no row for {:02}-{:02} {} h", spec.weather->shown, spec.time.month, spec.time.day, spec.time.hour));
+    if (row == nullptr) {
+        auto told = fmt::format("{} has no row for {:02}-{:02} {} h", spec.weather->shown, spec.time.month,
+                                spec.time.day, spec.time.hour);
+        if (const auto& undated = weather->undated; !undated.empty())
+            told += fmt::format("; {} of its rows have no date that can be read, the first: {}", undated.size(),
+                                undated.front().fault);
+        return atSky(spec, told);
+    }
     spec.site = weather->site, spec.time = row->middle;
     if (spec.model != SkyModel::Perez) return {};
+    if (!row->fault.empty()) return atSky(spec, fmt::format("the hour is not known: {}", row->fault));
     if (!row->directNormalWm2 || !row->diffuseHorizontalWm2)
         return atSky(spec, fmt::format("{}:{}: the irradiances are marked as missing", spec.weather->shown, row->line));
     if (!(*row->diffuseHorizontalWm2 > 0))
