@@ -130,9 +130,10 @@ Result<void> readLamps(FieldReader& in, Header& h, Photometry& p) {
     return {};
 }
 
-/// Angles as listed; where a tool listed nothing but zeros, or no rising order, from the step.
+/// Angles as listed; where a tool listed nothing but zeros, from the step.
 Result<std::vector<double>> readAngles(FieldReader& in, std::size_t count, double step, const char* what,
                                        Photometry& p) {
+    const bool mayRepeat = std::string_view(what) == "gamma angle";  // a step of the intensities
     std::vector<double> angles(count);
     std::size_t firstWrong = 0;
     const std::size_t firstLine = in.line();
@@ -143,6 +144,8 @@ Result<std::vector<double>> readAngles(FieldReader& in, std::size_t count, doubl
         if (i > 0 && firstWrong == 0 && !(angles[i] > angles[i - 1])) firstWrong = i;
     }
     if (firstWrong == 0) return angles;
+    const bool stepped = std::is_sorted(angles.begin(), angles.end()) && angles.front() < angles.back();
+    if (stepped && mayRepeat) return angles;
     const bool allZero = std::all_of(angles.begin(), angles.end(), [](double a) { return a == 0; });
     if (allZero && step > 0) {
         for (std::size_t i = 0; i < count; ++i) angles[i] = step * static_cast<double>(i);
@@ -229,6 +232,7 @@ Result<StoredPlanes> readPlanes(FieldReader& in, const Header& h, double scale, 
         if (!value) return value.error();
         candela = *value * scale;
     }
+    separateEqualAngles(out, p.repairs, p.warnings);
     if (in.remaining() > 0)
         p.repairs.push_back(fmt::format("{} line(s) after the last intensity ignored", in.remaining()));
     return out;

@@ -5,6 +5,7 @@
 #include "engine/io/ies_angles.h"
 #include "engine/io/ies_labels.h"
 #include "engine/io/ies_opening.h"
+#include "engine/io/ies_tilt.h"
 #include "engine/io/photometry_flux.h"
 #include "engine/io/photometry_planes.h"
 #include "engine/io/photometry_text.h"
@@ -38,55 +39,6 @@ struct Numbers {
     double twelfth = 1;  // 1986, 1991: ballast-lamp photometric factor; later: unused; 2019: file generation type
     double watts = 0;
 };
-
-/// Lamp geometry, angles and factors of a tilt table. The intensities hold for the luminaire as it was measured;
-/// what the table says about other mounting angles is told, not applied.
-Result<void> readTilt(TokenReader& tokens, Photometry& p) {
-    if (auto geometry = tokens.count("the lamp-to-luminaire geometry of TILT (1, 2 or 3)", 3); !geometry)
-        return geometry.error();
-    const auto pairs = tokens.count("the number of tilt angles", kMostAngles);
-    if (!pairs) return pairs.error();
-    for (std::size_t i = 0; i < *pairs; ++i) {
-        if (auto angle = tokens.number("a tilt angle"); !angle) return angle.error();
-    }
-    double least = 1e30;
-    double most = -1e30;
-    for (std::size_t i = 0; i < *pairs; ++i) {
-        const auto factor = tokens.number("a tilt multiplier");
-        if (!factor) return factor.error();
-        if (*factor < 0) return tokens.error(fmt::format("tilt multiplier {} is {}, expected >= 0", i + 1, *factor));
-        least = std::min(least, *factor);
-        most = std::max(most, *factor);
-    }
-    if (least != 1 || most != 1) {
-        p.warnings.push_back(
-            fmt::format("the lamp's output depends on how the luminaire is tilted (factor {:.4g}..{:.4g}): "
-                        "not applied, the intensities are those of the measured position",
-                        least, most));
-    }
-    return {};
-}
-
-/// TILT=file: the table stands in a file of its own beside this one. Folders in the name are ignored, so a
-/// photometric file cannot make us read elsewhere.
-Result<void> readTiltFile(const Labels& labels, const std::filesystem::path& name, Photometry& p) {
-    if (labels.year >= 2019) p.repairs.emplace_back("TILT=file, which LM-63-2019 no longer allows, accepted");
-    std::string file = labels.tilt;
-    std::replace(file.begin(), file.end(), '\\', '/');
-    const auto path = name.parent_path() / std::filesystem::path(file).filename();
-    const auto bytes = readFile(path, 1 << 20);
-    if (!bytes) {
-        p.warnings.push_back(
-            fmt::format("the tilt file {} cannot be read: how tilting changes the lamp's output is not known",
-                        inQuotes(labels.tilt)));
-        return {};
-    }
-    const auto text = decodeText(*bytes, path, p.repairs);
-    if (!text) return text.error();
-    const auto lines = splitLines(*text);
-    TokenReader tokens(path, lines, 0, p.repairs);
-    return readTilt(tokens, p);
-}
 
 Result<PhotometryType> readType(TokenReader& tokens) {
     const auto code = tokens.count("the photometric type (1 = C, 2 = B, 3 = A)", 3);
@@ -237,12 +189,7 @@ Result<Photometry> readIes(std::string_view bytes, const std::filesystem::path& 
     if (!labels) return labels.error();
 
     TokenReader tokens(name, lines, labels->tiltLine + 1, p.repairs);
-    const std::string tilt = upperCase(labels->tilt);
-    if (tilt == "INCLUDE") {
-        if (auto ok = readTilt(tokens, p); !ok) return ok.error();
-    } else if (!tilt.empty() && tilt != "NONE") {
-        if (auto ok = readTiltFile(*labels, name, p); !ok) return ok.error();
-    }
+    if (const auto tilt = readTilt(*labels, name, tokens, p); !tilt) return tilt.error();
     auto numbers = readNumbers(tokens);
     if (!numbers) return numbers.error();
     const auto factor = lampFactor(*numbers, labels->year, tokens, p);

@@ -38,12 +38,11 @@ void keepHorizontal(StoredPlanes& stored, const std::vector<std::size_t>& keep) 
     stored = std::move(out);
 }
 
-/// The indices of `angles` in rising order without duplicates.
+/// The indices of `angles` in rising order; equal ones stay, in the order that fits.
 Result<std::vector<std::size_t>> risingOrder(const std::vector<double>& angles, const char* what, Photometry& p) {
     const bool falling =
         angles.size() > 1 && std::is_sorted(angles.rbegin(), angles.rend()) && angles.front() > angles.back();
     std::vector<std::size_t> order;
-    std::size_t duplicates = 0;
     for (std::size_t k = 0; k < angles.size(); ++k) {
         const std::size_t i = falling ? angles.size() - 1 - k : k;
         const double previous = order.empty() ? -std::numeric_limits<double>::infinity() : angles[order.back()];
@@ -51,12 +50,36 @@ Result<std::vector<std::size_t>> risingOrder(const std::vector<double>& angles, 
             return refused(fmt::format("{} angle {} is {:.6g}, expected more than the one before, {:.6g}", what, i + 1,
                                        angles[i], previous));
         }
-        if (angles[i] == previous) ++duplicates;
-        else order.push_back(i);
+        order.push_back(i);
     }
     if (falling) p.repairs.push_back(fmt::format("{} angles fall: turned round", what));
-    if (duplicates > 0) p.repairs.push_back(fmt::format("{} duplicate {} angle(s) dropped", duplicates, what));
     return order;
+}
+
+/// Planes at the same horizontal angle become their mean: which of them is meant nobody can say.
+void mergeEqualPlanes(StoredPlanes& stored, Photometry& p) {
+    const std::size_t nV = stored.vertical.size(), nH = stored.horizontal.size();
+    StoredPlanes out{stored.type, stored.symmetry, stored.vertical, {}, {}};
+    bool differ = false;
+    for (std::size_t first = 0, next = 0; first < nH; first = next) {
+        for (next = first + 1; next < nH && stored.horizontal[next] == stored.horizontal[first];) ++next;
+        out.horizontal.push_back(stored.horizontal[first]);
+        for (std::size_t v = 0; v < nV; ++v) {
+            double sum = 0;
+            for (std::size_t h = first; h < next; ++h) {
+                sum += stored.candela[h * nV + v];
+                differ |= stored.candela[h * nV + v] != stored.candela[first * nV + v];
+            }
+            out.candela.push_back(next - first == 1 ? sum : sum / static_cast<double>(next - first));
+        }
+    }
+    const std::size_t dropped = nH - out.horizontal.size();
+    if (dropped == 0) return;
+    if (differ)
+        p.warnings.push_back(fmt::format("{} horizontal angle(s) stand twice with different intensities: their mean is "
+                                         "taken", dropped));
+    else p.repairs.push_back(fmt::format("{} duplicate horizontal angle(s) dropped", dropped));
+    stored = std::move(out);
 }
 
 /// Angles a rounding error off the ends of their range, put on them.
@@ -167,11 +190,14 @@ Result<void> settleTypeAB(StoredPlanes& stored, bool& mirrorsVertical, Photometr
 Result<void> settleAngles(StoredPlanes& stored, bool& mirrorsVertical, Photometry& p) {
     const auto verticalOrder = risingOrder(stored.vertical, "vertical", p);
     if (!verticalOrder) return verticalOrder.error();
-    if (verticalOrder->size() < 2) return refused("one vertical angle, expected at least 2");
     keepVertical(stored, *verticalOrder);
+    if (stored.vertical.front() == stored.vertical.back())
+        return refused("one vertical angle, expected at least 2");
+    separateEqualAngles(stored, p.repairs, p.warnings);
     const auto horizontalOrder = risingOrder(stored.horizontal, "horizontal", p);
     if (!horizontalOrder) return horizontalOrder.error();
     keepHorizontal(stored, *horizontalOrder);
+    mergeEqualPlanes(stored, p);
     mirrorsVertical = false;
     return stored.type == PhotometryType::C ? settleTypeC(stored, p) : settleTypeAB(stored, mirrorsVertical, p);
 }

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace luxdeck {
@@ -35,17 +37,26 @@ bool looksLikeEulumdat(const std::vector<std::string_view>& lines) {
 Result<Photometry> loadPhotometry(const std::filesystem::path& path) {
     const auto bytes = readFile(path, kMostBytes);
     if (!bytes) return bytes.error();
-    const std::string extension = upperCase(path.extension().string());
-    if (extension == ".IES") return readIes(*bytes, path);
-    if (extension == ".LDT" || extension == ".EUL") return readEulumdat(*bytes, path);
-
     std::vector<std::string> repairs;
     const auto text = decodeText(*bytes, path, repairs);
     if (!text) return text.error();
     const auto lines = splitLines(*text);
-    if (looksLikeIes(lines)) return readIes(*bytes, path);
-    if (looksLikeEulumdat(lines)) return readEulumdat(*bytes, path);
-    return Error{ErrorCode::Unsupported, "neither an IES LM-63 nor an EULUMDAT file", path.string()};
+    const bool ies = looksLikeIes(lines), eulumdat = looksLikeEulumdat(lines);
+    const std::string extension = upperCase(path.extension().string());
+    const bool namedIes = extension == ".IES", namedEulumdat = extension == ".LDT" || extension == ".EUL";
+    if (!ies && !eulumdat && trim(*text).starts_with('<'))  // neither format begins so
+        return errorAt(path, 1, fmt::format("begins with {}: a web page or XML (TM-33), expected an IES LM-63 or an "
+                                            "EULUMDAT file", inQuotes(trim(*text).substr(0, 20))));
+    const bool swapped = (namedIes && eulumdat && !ies) || (namedEulumdat && ies && !eulumdat);
+    if (!swapped && namedIes) return readIes(*bytes, path);
+    if (!swapped && namedEulumdat) return readEulumdat(*bytes, path);
+    if (!ies && !eulumdat)
+        return Error{ErrorCode::Unsupported, "neither an IES LM-63 nor an EULUMDAT file", path.string()};
+    auto photometry = ies ? readIes(*bytes, path) : readEulumdat(*bytes, path);
+    if (photometry && swapped)
+        photometry->warnings.push_back(fmt::format("its name ends with {}, but it holds {}: read as that",
+                                                   path.extension().string(), ies ? "IES LM-63" : "EULUMDAT"));
+    return photometry;
 }
 
 }  // namespace luxdeck

@@ -11,6 +11,9 @@ namespace {
 /// Angles closer than this are the same plane: files round to 0.01 degree at the finest.
 constexpr double kSameAngleDegrees = 1e-4;
 
+/// How far the two sides of a step stand apart: less than any file resolves, more than a float does.
+constexpr double kStepDegrees = 1e-3;
+
 struct Plane {
     double angle;              // degree
     const double* candela;     // #V, in the stored distribution
@@ -121,6 +124,43 @@ StoredPlanes expanded(const StoredPlanes& stored, bool mirrorsVertical) {
         for (const std::size_t v : verticalOrder) out.candela.push_back(stored.candela[h * stored.vertical.size() + v]);
     }
     return out;
+}
+
+void separateEqualAngles(StoredPlanes& stored, std::vector<std::string>& repairs, std::vector<std::string>& warnings) {
+    const auto& angles = stored.vertical;
+    const std::size_t nV = angles.size();
+    const auto agree = [&](std::size_t a, std::size_t b) {
+        for (std::size_t h = 0; h < stored.horizontal.size(); ++h)
+            if (stored.candela[h * nV + a] != stored.candela[h * nV + b]) return false;
+        return true;
+    };
+    std::vector<std::size_t> rows;
+    std::vector<double> kept;
+    std::size_t dropped = 0;
+    std::string steps;
+    for (std::size_t first = 0, next = 0; first < nV; first = next) {
+        for (next = first + 1; next < nV && angles[next] == angles[first];) ++next;
+        const std::size_t last = next - 1;
+        rows.push_back(first), kept.push_back(angles[first]);
+        dropped += last - first;
+        if (agree(first, last)) continue;
+        --dropped;
+        rows.push_back(last), kept.push_back(angles[first]);
+        // Away from the end of the range, so that the distribution still reaches it.
+        if (next < nV) kept.back() += std::min(kStepDegrees, 0.5 * (angles[next] - angles[first]));
+        else if (first > 0)
+            kept[kept.size() - 2] -= std::min(kStepDegrees, 0.5 * (angles[first] - angles[first - 1]));
+        steps += fmt::format("{}{:.6g}", steps.empty() ? "" : ", ", angles[first]);
+    }
+    if (rows.size() == nV && steps.empty()) return;
+    if (dropped > 0) repairs.push_back(fmt::format("{} duplicate vertical angle(s) dropped", dropped));
+    if (!steps.empty())
+        warnings.push_back(
+            fmt::format("vertical angle(s) {} stand twice with different intensities: taken as steps", steps));
+    StoredPlanes out{stored.type, stored.symmetry, std::move(kept), stored.horizontal, {}};
+    for (std::size_t h = 0; h < stored.horizontal.size(); ++h)
+        for (const auto row : rows) out.candela.push_back(stored.candela[h * nV + row]);
+    stored = std::move(out);
 }
 
 void clampNegative(std::vector<double>& candela, std::vector<std::string>& warnings) {

@@ -24,6 +24,10 @@ struct StoredPlanes {
 /// mirrorsVertical  types A and B only: the vertical angles are half a set too
 StoredPlanes expanded(const StoredPlanes& stored, bool mirrorsVertical = false);
 
+/// Vertical angles that stand twice, which is how a step is written: rows that agree become one, others part by a
+/// thousandth of a degree, with a warning. Of more than two the first and the last count.
+void separateEqualAngles(StoredPlanes& stored, std::vector<std::string>& repairs, std::vector<std::string>& warnings);
+
 /// Negative candela set to zero, with a warning that counts them.
 void clampNegative(std::vector<double>& candela, std::vector<std::string>& warnings);
 

@@ -19,4 +19,28 @@ Frame luminaireFrame(const Vec3d& aim, double rotationDeg) {
     return {Vec3(c0 * c + c90 * s), Vec3(c90 * c - c0 * s), Vec3(n)};
 }
 
+Frame luminaireFrame(const AimAngles& angles) {
+    const auto turn = [](Vec3d& from, Vec3d& towards, double degrees) {
+        const double radians = std::remainder(degrees, 360.0) * kDegree;
+        const double c = std::cos(radians), s = std::sin(radians);
+        const Vec3d turned = from * c + towards * s;
+        towards = towards * c - from * s;
+        from = turned;
+    };
+    Vec3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+    turn(x, y, angles.orientDeg);
+    turn(x, z, angles.tiltDeg);  // -z goes towards x
+    turn(y, z, angles.rollDeg);  // -z goes towards y
+    turn(x, y, angles.spinDeg);
+    return {Vec3(x), Vec3(y), Vec3(z)};
+}
+
+AimAngles uprightAim(const Vec3d& aim) {
+    AimAngles angles;
+    const double level = std::hypot(aim.x, aim.y);
+    if (level > 0) angles.orientDeg = std::atan2(aim.y, aim.x) / kDegree;
+    angles.tiltDeg = std::atan2(level, -aim.z) / kDegree;
+    return angles;
+}
+
 }  // namespace luxdeck

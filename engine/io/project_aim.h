@@ -14,4 +14,20 @@ namespace luxdeck {
 /// aim        any length but zero
 Frame luminaireFrame(const Vec3d& aim, double rotationDeg);
 
+/// The angles by which IES LM-72 places a luminaire (its system "counter-clockwise from east"), each turn about the
+/// axes as the turns before it have left them.
+struct AimAngles {
+    double orientDeg = 0;  ///< about up: C0 from east (+x) to north (+y)
+    double tiltDeg = 0;    ///< about C90: the nadir rises towards where C0 points
+    double rollDeg = 0;    ///< about C0: the nadir rises towards where C90 points
+    double spinDeg = 0;    ///< about the photometric axis: C0 towards C90
+};
+Frame luminaireFrame(const AimAngles& angles);
+
+/// The orientation and tilt that aim a luminaire so: C0, and with it the "up" of types A and B, stays in the vertical
+/// plane of the aim. Straight up or down: orientation 0.
+///
+/// aim        any length but zero
+AimAngles uprightAim(const Vec3d& aim);
+
 }  // namespace luxdeck

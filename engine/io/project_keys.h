@@ -20,9 +20,10 @@ inline constexpr Key kMaterialKeys[] = {"name",     "kind",          "reflectanc
                                         "roughness_u", "roughness_v", "grain", "diffuse_transmittance",
                                         "specular_transmittance", "transmittance_per_metre"};
 inline constexpr Key kLuminaireTypeKeys[] = {"id",    "file",               "description",         "lumens",
-                                             "watts", "maintenance_factor", "colour_temperature_k"};
+                                             "watts", "maintenance_factor", "colour_temperature_k", "lamp_tilt"};
 inline constexpr Key kLuminaireKeys[] = {"type",    "name",    "position",           "aim",
-                                         "rotation_deg", "dimming", "maintenance_factor", "array"};
+                                         "rotation_deg", "dimming", "maintenance_factor", "array",
+                                         "orient",  "tilt",    "roll",               "spin"};
 inline constexpr Key kArrayKeys[] = {"count", "spacing"};
 inline constexpr Key kSkyKeys[] = {"kind",     "type",      "zenith_cd_m2", "horizontal_lux",     "ground_reflectance",      "sun",
                                    "sun_normal_lux", "sun_altitude_deg", "sun_azimuth_deg", "latitude", "longitude", "time_zone",

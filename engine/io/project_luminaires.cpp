@@ -1,3 +1,5 @@
+#include "engine/core/file.h"
+#include "engine/io/ies_tilt.h"
 #include "engine/io/photometry.h"
 #include "engine/io/project_aim.h"
 #include "engine/io/project_colour.h"
@@ -6,6 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -77,13 +82,65 @@ private:
     std::map<std::string, std::size_t> count_;
 };
 
+/// By aim and rotation_deg, or by IES LM-72's angles.
+void readAim(const TomlTable& table, LuminaireSpec& spec) {
+    constexpr std::array<Key, 4> kAngles{"orient", "tilt", "roll", "spin"};
+    std::array<double, 4> degrees{};
+    bool byAngles = false;
+    for (std::size_t i = 0; i < kAngles.size(); ++i) {
+        byAngles |= table.has(kAngles[i]);
+        degrees[i] = table.number(kAngles[i], kTurn, 0.0);
+        for (const Key other : {"aim", "rotation_deg"}) table.refuseBoth(kAngles[i], other);
+    }
+    if (byAngles) {
+        spec.frame = luminaireFrame(AimAngles{degrees[0], degrees[1], degrees[2], degrees[3]});
+        return;
+    }
+    auto aim = table.vector("aim", Vec3d(0, 0, -1));
+    if (!(aim.length() > 0)) {
+        table.error(ErrorCode::InvalidArgument, "aim", "aim is [0, 0, 0], expected a direction");
+        aim = Vec3d(0, 0, -1);
+    }
+    spec.frame = luminaireFrame(aim, table.number("rotation_deg", kTurn, 0.0));
+    if (!table.has("rotation_deg")) spec.uprightFrame = luminaireFrame(uprightAim(aim));
+}
+
 Luminaire placed(const Scene& scene, const LuminaireSpec& spec, const LuminaireTypeSpec& type, const Vec3d& offset) {
     Luminaire luminaire;
     luminaire.position = scene.toRebased(spec.position + offset);
-    luminaire.frame = spec.frame;
     luminaire.dimming = spec.dimming;
     luminaire.maintenanceFactor = spec.maintenanceFactor.value_or(type.maintenanceFactor);
     return luminaire;
+}
+
+/// Types A and B, aimed without a rotation, are floods and headlamps whose "up" is up, as the trade aims them.
+Frame frameOf(const LuminaireSpec& spec, const LuminaireType& type) {
+    const bool hasUp = type.photometry.table.type() != PhotometryType::C;
+    return hasUp ? spec.uprightFrame.value_or(spec.frame) : spec.frame;
+}
+
+/// By type; nothing where the file has none or the project wants none.
+std::vector<LampTilt> loadLampTilts(const ProjectSpec& spec, const std::vector<LuminaireType>& types) {
+    std::vector<LampTilt> tilts(types.size());
+    for (std::size_t i = 0; i < types.size(); ++i) {
+        if (!spec.luminaireTypes[i].lampTilt || types[i].photometry.format == "EULUMDAT") continue;
+        const auto& path = spec.luminaireTypes[i].file.path;
+        const auto bytes = readFile(path);
+        if (!bytes) continue;  // it was there a moment ago, when its photometry was read
+        if (auto tilt = readLampTilt(*bytes, path)) tilts[i] = *std::move(tilt);
+    }
+    return tilts;
+}
+
+/// What TILT did to the luminaires of a type.
+struct TiltNote {
+    std::size_t count = 0;
+    double least = 1e30, most = 0;
+};
+
+void noteTilt(TiltNote& note, double factor, std::size_t count) {
+    note.count += count;
+    note.least = std::min(note.least, factor), note.most = std::max(note.most, factor);
 }
 
 /// Luminaires far outside the model are seldom meant: most often the model's unit or axis is wrong.
@@ -113,6 +170,7 @@ std::vector<LuminaireTypeSpec> readLuminaireTypes(const TomlTable& root, const s
         type.lumens = table.numberIf("lumens", kLumens);
         type.watts = table.numberIf("watts", kWatts);
         type.maintenanceFactor = table.number("maintenance_factor", kMaintenance, 1.0);
+        type.lampTilt = table.flag("lamp_tilt", true);
         if (const auto kelvin = table.numberIf("colour_temperature_k", kKelvin)) type.colour = daylightColour(*kelvin);
         types.push_back(std::move(type));
     });
@@ -132,10 +190,7 @@ std::vector<LuminaireSpec> readLuminaires(const TomlTable& root, const std::vect
         spec.name = table.text("name", "");
         if (!spec.name.empty()) names.add(table, "name", spec.name);
         spec.position = table.vector("position");
-        const auto aim = table.vector("aim", Vec3d(0, 0, -1));
-        const bool aimed = aim.length() > 0;
-        if (!aimed) table.error(ErrorCode::InvalidArgument, "aim", "aim is [0, 0, 0], expected a direction");
-        spec.frame = luminaireFrame(aimed ? aim : Vec3d(0, 0, -1), table.number("rotation_deg", kTurn, 0.0));
+        readAim(table, spec);
         spec.dimming = table.number("dimming", kFraction, 1.0);
         spec.maintenanceFactor = table.numberIf("maintenance_factor", kMaintenance);
         readArray(table, spec);
@@ -178,6 +233,8 @@ Result<void> placeLuminaires(Scene& scene, const ProjectSpec& spec, std::vector<
     const auto model = scene.bounds();
     const auto firstType = scene.luminaireTypes.size(), firstPlaced = scene.luminaires.size();
     LuminaireNames names(scene, spec);
+    const auto lampTilts = loadLampTilts(spec, types);
+    std::map<std::size_t, TiltNote> tilts;
     for (const auto& luminaireSpec : spec.luminaires) {
         if (!luminaireSpec.name.empty() && inGeometry.contains(luminaireSpec.name))
             return Error{ErrorCode::InvalidArgument,
@@ -185,17 +242,26 @@ Result<void> placeLuminaires(Scene& scene, const ProjectSpec& spec, std::vector<
                          luminaireSpec.where};
         const auto& typeSpec = spec.luminaireTypes[luminaireSpec.type];
         const auto& type = types[luminaireSpec.type];
-        const double fluxScale = typeSpec.lumens ? *typeSpec.lumens / type.photometry.table.lumens() : 1.0;
+        const double relamped = typeSpec.lumens ? *typeSpec.lumens / type.photometry.table.lumens() : 1.0;
+        const auto frame = frameOf(luminaireSpec, type);
+        const double tilted = lampTilts[luminaireSpec.type].factor(frame);
+        if (tilted != 1) noteTilt(tilts[luminaireSpec.type], tilted, total(luminaireSpec));
         for (int j = 0; j < luminaireSpec.count[1]; ++j)
             for (int i = 0; i < luminaireSpec.count[0]; ++i) {
                 const Vec3d offset(i * luminaireSpec.spacingM[0], j * luminaireSpec.spacingM[1], 0);
                 auto luminaire = placed(scene, luminaireSpec, typeSpec, offset);
                 luminaire.name = names.name(luminaireSpec, typeSpec.id);
                 luminaire.type = static_cast<std::uint32_t>(firstType + luminaireSpec.type);
-                luminaire.fluxScale = fluxScale;
+                luminaire.frame = frame;
+                luminaire.fluxScale = relamped * tilted;
                 scene.luminaires.push_back(std::move(luminaire));
             }
     }
+    for (const auto& [type, note] : tilts)
+        scene.warnings.push_back(fmt::format(
+            "luminaire type {}: {} are tilted and shine with {:.4g}..{:.4g} of their output by the file's TILT "
+            "(lamp_tilt = false leaves it out)",
+            inQuotes(spec.luminaireTypes[type].id), note.count, note.least, note.most));
     for (auto& type : types) scene.luminaireTypes.push_back(std::move(type));
     warnOfStrays(scene, model, firstPlaced);
     return {};

@@ -55,6 +55,7 @@ struct LuminaireTypeSpec {
     std::optional<double> watts;
     double maintenanceFactor = 1;
     Rgb colour{1.0F};
+    bool lampTilt = true;               ///< apply the file's TILT
 };
 
 struct LuminaireSpec {
@@ -62,6 +63,7 @@ struct LuminaireSpec {
     std::string name;                   ///< empty: numbered
     Vec3d position;                     ///< [m], user coordinates
     Frame frame;
+    std::optional<Frame> uprightFrame;  ///< types A and B: aimed without a rotation, their up is up
     double dimming = 1;
     std::optional<double> maintenanceFactor;
     std::array<int, 2> count{1, 1};

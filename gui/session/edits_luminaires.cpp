@@ -1,8 +1,13 @@
 #include "gui/session/edit_text.h"
 #include "gui/session/edits.h"
 
+#include "engine/io/project_aim.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -11,6 +16,7 @@ namespace luxdeck::gui::edits {
 namespace {
 
 constexpr const char* kSection = "luminaire";
+constexpr const char* kAimAngles[] = {"orient", "tilt", "roll", "spin"};
 
 /// One luminaire in the text: a [[luminaire]], or a place in its rows.
 struct Place {
@@ -73,6 +79,8 @@ std::vector<KeyChange> keysOf(const LuminaireChange& change, const Vec3d& positi
     if (change.moveBy) put(keys, "position", TomlValue(tidy(change.position.value_or(position) + *change.moveBy)));
     if (change.aim) put(keys, "aim", TomlValue(tidy(*change.aim)));
     if (change.rotationDeg) put(keys, "rotation_deg", TomlValue(tidy(*change.rotationDeg)));
+    if (change.aim || change.rotationDeg)  // what a luminaire had by LM-72's angles is now said in this way
+        for (const char* key : kAimAngles) keys.push_back({key, std::nullopt});
     if (change.dimming) put(keys, "dimming", TomlValue(tidy(*change.dimming)));
     if (change.name) put(keys, "name", TomlValue(*change.name));
     if (change.type) put(keys, "type", TomlValue(*change.type));
@@ -123,6 +131,12 @@ Result<LuminairePlaced> placedLuminaire(const Project& project, const std::strin
     out.position = place.position;
     out.aim = vectorAt(*edit, table, "aim", out.aim);
     out.rotationDeg = edit->number(table, "rotation_deg").value_or(0);
+    if (std::any_of(std::begin(kAimAngles), std::end(kAimAngles), [&](const char* key) { return edit->has(table, key); })) {
+        const auto& frame = project.scene.luminaires[luminaire].frame;
+        out.aim = -Vec3d(frame.normal);
+        const auto unturned = luminaireFrame(out.aim, 0);
+        out.rotationDeg = std::atan2(dot(frame.tangent, unturned.bitangent), dot(frame.tangent, unturned.tangent)) / kDegree;
+    }
     out.dimming = edit->number(table, "dimming").value_or(1);
     out.name = project.scene.luminaires[luminaire].name;
     out.type = edit->string(table, "type").value_or("");

@@ -26,6 +26,7 @@ const std::map<std::string, std::string>& reachedThrough() {
         {"engine/io/gltf_material.h", "gltf"},
         {"engine/io/gltf_uri.h", "gltf"},
         {"engine/io/ies_labels.h", "ies"},
+        {"engine/io/ies_tilt.h", "ies"},
         {"engine/io/obj_material.h", "obj"},
         {"engine/io/obj_mtl.h", "obj"},
         {"engine/io/photometry_text.h", "ies"},

@@ -220,6 +220,14 @@ TEST(Eulumdat, TextAndNumbersAsToolsWriteThem) {
     EXPECT_TRUE(mentions(read(replaced(text, "\n55.5\n", "\n-3\n")).warnings, "1 negative intensities"));
 }
 
+TEST(Eulumdat, EqualGammasAreSteps) {
+    LdtFile file;
+    file.gammas = {0, 45, 45, 90};
+    const auto p = readEulumdat(file.text(), "test.ldt");
+    ASSERT_TRUE(p) << p.error().text();
+    EXPECT_EQ(p->table.vertical().size(), 3U) << "rows that agree are one";
+}
+
 TEST(Eulumdat, AnglesThatAreAllZeroComeFromTheStep) {
     LdtFile file;
     const std::string good = file.text();
@@ -289,6 +297,11 @@ TEST(LoadPhotometry, TellsTheFormatByExtensionElseByContent) {
     EXPECT_EQ(load("a.ldt", LdtFile{}.text()), "EULUMDAT");
     EXPECT_EQ(load("a.txt", IesFile{}.text()), "LM-63-2002");
     EXPECT_EQ(load("b.txt", LdtFile{}.text()), "EULUMDAT");
+    EXPECT_EQ(load("swapped.ies", LdtFile{}.text()), "EULUMDAT");
+    EXPECT_EQ(load("swapped.ldt", IesFile{}.text()), "LM-63-2002");
+    EXPECT_THAT(loadPhotometry(folder / "swapped.ldt")->warnings,
+                ::testing::Contains(HasSubstr("its name ends with .ldt, but it holds IES LM-63")));
+    EXPECT_THAT(load("page.ies", "<!DOCTYPE html>\n<html>not found</html>\n"), HasSubstr("a web page"));
     EXPECT_EQ(load("c.txt", "hello\n"), "neither an IES LM-63 nor an EULUMDAT file");
     const auto missing = loadPhotometry(folder / "missing.ies");
     ASSERT_FALSE(missing);

@@ -1,6 +1,7 @@
 // readIes: symmetries against the same distribution given in full, editions, openings, malformations, and the
 // shared folder of manufacturers' files.
 #include "engine/core/rng.h"
+#include "engine/io/ies_tilt.h"
 #include "engine/io/photometry.h"
 #include "tests/support/photometry_files.h"
 
@@ -250,10 +251,52 @@ TEST(Ies, TiltTablesAreReadAndTold) {
     const Photometry p = read(file.text());
     EXPECT_TRUE(mentions(p.warnings, "factor 0.8..1"));
     EXPECT_FLOAT_EQ(p.table.intensity({0, 0, -1}), 100);
+    const auto tilt = readLampTilt(file.text(), "test.ies");
+    ASSERT_TRUE(tilt) << tilt.error().text();
+    const auto factor = [&](const Vec3& aim) { return tilt->factor(Frame::about(-aim)); };
+    EXPECT_NEAR(factor({0, 0, -1}), 1, 1e-9);
+    // 67.5 degrees from straight down, half way from 45 to 90. Floats of the frame: 1e-7 of 0.2 a radian.
+    const double angle = 67.5 * kDegree;
+    EXPECT_NEAR(factor({static_cast<float>(std::sin(angle)), 0, static_cast<float>(-std::cos(angle))}), 0.85, 1e-6);
+    EXPECT_NEAR(factor({0, 0, 1}), 0.8, 1e-9) << "beyond the last angle its factor stays";
+    EXPECT_EQ(readLampTilt(IesFile{}.text(), "test.ies")->factor(Frame{}), 1);
+    file.tilt = "TILT=INCLUDE\n1\n3\n0 45 45\n1.0 0.9 0.8";
+    EXPECT_THAT(refusal(file.text()), HasSubstr("tilt angle 3 is 45, expected more than the one before, 45"));
     file.tilt = "TILT=..\\nowhere.tlt";
     EXPECT_TRUE(mentions(read(file.text()).warnings, "cannot be read"));
     file.tilt = "TILT=INCLUDE\n1\n900\n0 45 90\n1.0 0.9 0.8";
-    EXPECT_THAT(refusal(file.text()), HasSubstr("the file ends here"));
+    EXPECT_THAT(refusal(file.text()), HasSubstr("900 tilt angles and their multipliers take 1800 numbers"));
+}
+
+/// The bug: of two rows at one vertical angle the second was dropped, so a step of the intensity became a ramp up to the
+/// next angle.
+TEST(Ies, EqualVerticalAnglesAreSteps) {
+    IesFile file;
+    file.vertical = {0, 30, 30, 90};
+    int row = 0;
+    file.candela = [&](double, double) { return row++ < 2 ? 1000.0 : 10.0; };
+    const Photometry p = read(file.text());
+    EXPECT_TRUE(mentions(p.warnings, "vertical angle(s) 30 stand twice"));
+    const auto at = [&](double degrees) {
+        const double a = degrees * kDegree;
+        return p.table.intensity({static_cast<float>(std::sin(a)), 0, static_cast<float>(-std::cos(a))});
+    };
+    EXPECT_FLOAT_EQ(at(29.99), 1000);
+    EXPECT_FLOAT_EQ(at(30.01), 10);
+    // 2 pi of 1000 (1 - cos 30) + 10 cos 30, and half of 990 sin 30 on a ramp of 0.001 degrees.
+    const double cosine = std::cos(30 * kDegree);
+    EXPECT_NEAR(p.table.lumens(), 2 * kPiD * (1000 * (1 - cosine) + 10 * cosine), 2 * kPiD * 495 * 0.5 * 2e-3 * kDegree);
+    // At the end of the range the step moves inwards; three rows of one angle are its first and its last.
+    file.vertical = {0, 90, 90, 90};
+    row = 0;
+    EXPECT_EQ(read(file.text()).table.vertical().back(), 90);
+    file.vertical = {45, 45, 45};
+    EXPECT_THAT(refusal(file.text()), HasSubstr("one vertical angle"));
+    file = {};
+    file.horizontal = {0, 90, 90, 180, 270, 360};
+    int plane = 0;
+    file.candela = [&](double, double v) { return v == 0 ? 100.0 : 100.0 + plane++; };
+    EXPECT_TRUE(mentions(read(file.text()).warnings, "1 horizontal angle(s) stand twice"));
 }
 
 TEST(Ies, ToleratesHowFilesAreWritten) {

@@ -51,6 +51,46 @@ TEST(LuminaireFrame, IsContinuousAboutStraightDown) {
     }
 }
 
+/// IES LM-72, counter-clockwise from east: what each angle alone does, and orientation before tilt.
+TEST(LuminaireFrame, TurnsByLm72) {
+    const auto level = luminaireFrame(AimAngles{.orientDeg = 30});
+    expectNear(level.tangent, {std::sqrt(0.75F), 0.5F, 0});
+    expectNear(level.normal, {0, 0, 1});
+    const auto east = luminaireFrame(AimAngles{.tiltDeg = 90});
+    expectNear(-east.normal, {1, 0, 0});
+    expectNear(east.tangent, {0, 0, 1});
+    expectNear(east.bitangent, {0, 1, 0});
+    const auto north = luminaireFrame(AimAngles{.orientDeg = 90, .tiltDeg = 90});
+    expectNear(-north.normal, {0, 1, 0});
+    expectNear(north.tangent, {0, 0, 1});
+    expectNear(north.bitangent, {-1, 0, 0});
+    expectNear(-luminaireFrame(AimAngles{.rollDeg = 90}).normal, {0, 1, 0});
+    expectNear(luminaireFrame(AimAngles{.spinDeg = 90}).tangent, {0, 1, 0});
+    const auto spun = luminaireFrame(AimAngles{.tiltDeg = 90, .spinDeg = 90});
+    expectNear(spun.tangent, {0, 1, 0});  // C0 goes to where C90 was
+    expectNear(-spun.normal, {1, 0, 0});
+}
+
+TEST(LuminaireFrame, OrientationTiltAndSpinSayWhatAimAndRotationSay) {
+    for (int i = 0; i < 200; ++i) {
+        const double tilt = 0.3 + 2.5 * i / 200, turn = 2.4 * i, spin = 7.0 * i;
+        const Vec3d aim(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), -std::cos(tilt));
+        auto angles = uprightAim(aim * 3.0);
+        const auto upright = luminaireFrame(angles);
+        EXPECT_GE(upright.tangent.z, 0) << "its up is up";
+        EXPECT_NEAR(upright.bitangent.z, 0, 1e-6F);
+        // The smallest turn keeps C0 where it was: it is the tilt about a horizontal axis with -orient spun in.
+        angles.spinDeg = spin - angles.orientDeg;
+        const auto same = luminaireFrame(aim, spin);
+        const auto f = luminaireFrame(angles);
+        expectNear(f.tangent, same.tangent);
+        expectNear(f.normal, same.normal);
+    }
+    EXPECT_EQ(uprightAim({0, 0, -2}).orientDeg, 0);
+    EXPECT_EQ(uprightAim({0, 0, -2}).tiltDeg, 0);
+    EXPECT_EQ(uprightAim({0, 0, 1}).tiltDeg, 180);
+}
+
 TEST(DaylightColour, WhiteIsExactAndLuminanceIsOne) {
     EXPECT_EQ(daylightColour(6500), Rgb(1.0F));
     for (double kelvin = 1667; kelvin <= 25000; kelvin *= 1.03) {
