@@ -1,3 +1,4 @@
+#include "cli/check_aside.h"
 #include "cli/check_photometry.h"
 #include "cli/command.h"
 #include "cli/json_text.h"
@@ -88,6 +89,12 @@ Exit runCheck(const Options& o, const Context& context) {
         return complain({ErrorCode::InvalidArgument, fmt::format("{} files, expected one project or scene, Radiance files (.rad, .mat) of one scene, or photometric files alone", o.files.size()), o.files[0]});
     if (!o.drawing.empty())
         return complain({ErrorCode::InvalidArgument, "is no photometric file (.ies, .ldt): there is nothing to draw with -o", o.files[0]});
+    const auto aside = static_cast<std::size_t>(std::count_if(o.files.begin(), o.files.end(), isAside));
+    if (aside == o.files.size()) return checkAside(o.files, context);
+    if (aside > 0) {
+        const auto first = std::find_if(o.files.begin(), o.files.end(), isAside);
+        return complain({ErrorCode::InvalidArgument, "is no part of a scene: expected it checked alone", *first});
+    }
     return checkScene(o.files, context);
 }
 
@@ -95,8 +102,8 @@ Exit runCheck(const Options& o, const Context& context) {
 
 Command addCheck(CLI::App& program) {
     const auto o = std::make_shared<Options>();
-    auto* app = program.add_subcommand("check", "Read and check a project, a scene or photometric files: what is in it (in m, lm and cd), what it needs, what is left out, repaired or refused, and why");
-    app->add_option("file", o->files, "project.toml, .glb, .gltf, .obj, the .rad and .mat of one scene in their order, or one or more .ies and .ldt")->required()->type_name("FILE");
+    auto* app = program.add_subcommand("check", "Read and check a project, a scene or photometric files: what is in it (in m, lm and cd), where it belongs, what it needs, what is left out, repaired or refused, and why");
+    app->add_option("file", o->files, "project.toml, .glb, .gltf, .obj, the .rad and .mat of one scene in their order, one or more .ies and .ldt, or weather (.epw, .wea), pictures (.hdr, .exr, .png) and .mtl")->required()->type_name("FILE");
 #ifdef LUXDECK_REPORT
     app->add_option("-o,--output", o->drawing, "Draw the photometric file: polar curve and intensity by C plane in cd, .png, .pdf or .svg")->type_name("F.png");
 #endif

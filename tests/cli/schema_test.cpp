@@ -47,6 +47,7 @@ const std::vector<Run>& runs() {
         {{"check", "project.toml"}},
         {{"check", "room.obj"}},
         {{"check", "lamp.ies"}},
+        {{"check", "room.mtl"}},
         {{"check", "lamp.ies", "bad.ies"}, "", 3},
         {{"solve", "project.toml", "--samples", "64"}},
         {{"sense", "project.toml", "--samples", "64"}, "1 1 1 0 0 1\n"},
