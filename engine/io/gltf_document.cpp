@@ -151,10 +151,11 @@ Result<std::string> Document::load(const JsonView& uri) {
         if (!*embedded) return at(embedded->error());
         return std::move(*embedded);
     }
-    const auto path = resolveBelow(file_.parent_path(), percentDecoded(reference));
-    if (!path) return at(path.error());
-    auto bytes = readFile(*path);
-    if (!bytes) return at({bytes.error().code, fmt::format("'{}' {}", path->string(), bytes.error().message), ""});
+    const auto file = files_.find(file_.parent_path(), percentDecoded(reference));
+    if (!file) return at(file.error());
+    if (!file->note.empty()) warnings.add(fmt::format("{} {}", uri.path(), file->note));
+    auto bytes = readFile(file->path);
+    if (!bytes) return at({bytes.error().code, fmt::format("'{}' {}", file->path.string(), bytes.error().message), ""});
     return bytes;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/io/gltf_json.h"
+#include "engine/io/obj_files.h"
 #include "engine/io/warning_list.h"
 
 #include <array>
@@ -79,6 +80,7 @@ private:
                        std::size_t elementBytes);
 
     std::filesystem::path file_;
+    obj::FileFinder files_;
     std::string bytes_;               ///< the file itself; the GLB's binary chunk is read in place
     std::optional<std::string_view> binaryChunk_;
     nlohmann::json json_;

@@ -207,6 +207,25 @@ void MaterialReader::makeSolid(const JsonView& json, double factor, Material& ma
         warn(material, "the tint of its faces is spread over its thickness");
 }
 
+std::optional<std::uint32_t> MaterialReader::coloured(std::int64_t material, obj::VertexColours& colours) {
+    Material base;
+    base.name = "vertex colours";
+    base.reflectance = Rgb{1.0F};
+    if (material >= 0) base = scene_.materials[static_cast<std::size_t>(material)];
+    const bool fits = base.kind == MaterialKind::MetallicRoughness || base.kind == MaterialKind::Matte ||
+                      base.kind == MaterialKind::Plastic;
+    if (!fits || base.reflectanceTexture.used() || base.metallicRoughnessTexture.used() || base.emissionTexture.used())
+        return std::nullopt;
+    const auto index = colours.addMaterial(scene_, base.name);
+    colours.finish(scene_, document_.warnings, false);
+    auto& made = scene_.materials[index];
+    base.reflectance *= made.reflectance;
+    base.reflectanceTexture = made.reflectanceTexture;
+    base.source = made.source;
+    made = std::move(base);
+    return index;
+}
+
 std::uint32_t MaterialReader::paneInstead(std::uint32_t material) {
     const auto [known, isNew] = usedPanes_.try_emplace(material, static_cast<std::uint32_t>(scene_.materials.size()));
     if (isNew) scene_.materials.push_back(panes_.at(material));

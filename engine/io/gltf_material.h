@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/io/gltf_document.h"
+#include "engine/io/obj_colours.h"
 #include "engine/scene/scene.h"
 
 #include <cstdint>
@@ -31,6 +32,9 @@ public:
     MaterialUse use(std::int64_t index);
     /// Whether a material of the scene is the surface of a solid (KHR_materials_volume with a thickness).
     [[nodiscard]] bool isSolid(std::uint32_t material) const { return panes_.contains(material); }
+    /// A material of the scene, or matte for -1, whose reflectance is multiplied by colours of vertices; none where a
+    /// picture already colours it or it has no such reflectance.
+    std::optional<std::uint32_t> coloured(std::int64_t material, obj::VertexColours& colours);
     /// What stands for it on a surface that encloses nothing: a pane of its thickness.
     std::uint32_t paneInstead(std::uint32_t material);
 

@@ -135,7 +135,49 @@ std::vector<std::uint32_t> readCorners(Document& document, const JsonView& json,
 
 void warnOfLeftOut(Document& document, const JsonView& json, const JsonView& attributes) {
     if (json["targets"].size() > 0) document.warnings.add("morph", "morph targets are left out: meshes keep their base shape");
-    if (attributes["COLOR_0"].present()) document.warnings.add("colour", "vertex colours are left out");
+    if (attributes["COLOR_1"].present()) document.warnings.add("colour 1", "COLOR_1 has no meaning in glTF: left out");
+}
+
+/// Each triangle gets vertices of its own, so that it can have a colour of its own.
+void separateTriangles(Primitive& primitive) {
+    Primitive apart;
+    for (const auto& triangle : primitive.triangles) {
+        const auto first = static_cast<std::uint32_t>(apart.positions.size());
+        for (const auto corner : triangle) {
+            apart.positions.push_back(primitive.positions[corner]);
+            if (!primitive.normals.empty()) apart.normals.push_back(primitive.normals[corner]);
+        }
+        apart.triangles.push_back({first, first + 1, first + 2});
+    }
+    primitive.positions = std::move(apart.positions);
+    primitive.normals = std::move(apart.normals);
+    primitive.triangles = std::move(apart.triangles);
+}
+
+/// COLOR_0 multiplies the base colour. Linear, floats or normalised integers; its alpha is left out.
+void readColours(Document& document, const JsonView& attributes, std::int64_t material,
+                 const std::vector<std::uint32_t>& used, MaterialReader& materials, Primitive& primitive) {
+    const auto json = attributes["COLOR_0"];
+    const auto index = json.index(document.accessors().size(), "accessors", false);
+    if (index < 0 || primitive.triangles.empty()) return;
+    const Accessor& accessor = document.accessors()[static_cast<std::size_t>(index)];
+    if (accessor.components < 3 || accessor.components > 4 || accessor.count <= used.back())
+        return json.fail(fmt::format("accessors[{}] is not VEC3 or VEC4 with an element for each vertex", index));
+    const auto numbers = readNumbers(document, static_cast<std::size_t>(index), used);
+    const auto width = static_cast<std::size_t>(accessor.components);
+    if (!std::all_of(numbers.begin(), numbers.end(), [](float x) { return std::isfinite(x); }))
+        return document.warnings.add("colour", "vertex colours that are not finite are left out");
+    obj::VertexColours colours;
+    for (std::size_t i = used.size(); i-- > 0;)  // from the last: the list grows once
+        colours.add(i, {numbers[width * i], numbers[width * i + 1], numbers[width * i + 2]});
+    std::vector<std::uint32_t> faces;
+    for (const auto& t : primitive.triangles) faces.push_back(colours.face({t[0], t[1], t[2]}));
+    const auto made = materials.coloured(material, colours);
+    if (!made)
+        return document.warnings.add("colour", "vertex colours are left out beside a texture, and on glass");
+    primitive.material = *made;
+    separateTriangles(primitive);
+    for (const auto face : faces) primitive.uvs.insert(primitive.uvs.end(), 3, colours.uv(face));
 }
 
 Primitive readPrimitive(Document& document, const JsonView& json, const std::string& meshName, MaterialReader& materials) {
@@ -160,9 +202,15 @@ Primitive readPrimitive(Document& document, const JsonView& json, const std::str
     primitive.positions = vectors(readNumbers(document, *position, used));
     checkFinite(attributes, meshName, used, primitive.positions);
     if (normal) primitive.normals = vectors(readNumbers(document, *normal, used));
-    const MaterialUse use = materials.use(material);
-    primitive.material = use.material;
-    if (use.uvSet >= 0) readUvs(document, attributes, use.uvSet, count, used, primitive);
+    const bool bare = material < 0 && attributes["COLOR_0"].present();  // its colours are all that is known of it
+    if (!bare) {
+        const MaterialUse use = materials.use(material);
+        primitive.material = use.material;
+        if (use.uvSet >= 0) readUvs(document, attributes, use.uvSet, count, used, primitive);
+    }
+    const auto plain = bare ? -1 : static_cast<std::int64_t>(primitive.material);
+    if (primitive.uvs.empty()) readColours(document, attributes, plain, used, materials, primitive);
+    if (bare && primitive.uvs.empty()) primitive.material = materials.use(-1).material;
     warnOfLeftOut(document, json, attributes);
     return primitive;
 }
@@ -187,7 +235,8 @@ MeshSize meshSize(Document& document, const JsonView& mesh) {
         const std::uint64_t vertices = accessors[static_cast<std::size_t>(position)].count;
         const std::uint64_t corners = indices < 0 ? vertices : accessors[static_cast<std::size_t>(indices)].count;
         const bool strip = primitive["mode"].count(kTriangles) != kTriangles;
-        size.vertices += std::min(vertices, corners);
+        const bool coloured = primitive["attributes"]["COLOR_0"].present();  // three vertices for each triangle then
+        size.vertices += coloured ? corners : std::min(vertices, corners);
         size.triangles += strip ? corners : corners / 3;
     }
     return size;

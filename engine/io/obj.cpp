@@ -20,6 +20,7 @@
 #include <stdexcept>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace luxdeck {
@@ -146,10 +147,11 @@ private:
     }
 
     void readLibrary(Words& words) {
-        for (const auto& name : obj::libraryNames(path_.parent_path(), words.remainder())) {
-            const auto file = obj::findNamed(path_.parent_path(), name);
+        for (const auto& name : files_.libraryNames(path_.parent_path(), words.remainder())) {
+            const auto file = files_.find(path_.parent_path(), name);
             if (!file) return fail(fmt::format("mtllib {}", file.error().message), file.error().code);
             if (!file->note.empty()) warnings_.add(fmt::format("line {}: mtllib {}", line_, file->note));
+            if (!libraries_.insert(file->path.string()).second) continue;  // each counts once
             if (const auto result = library_.read(file->path); !result && !error_) error_ = result.error();
         }
     }
@@ -292,7 +294,9 @@ private:
     const std::filesystem::path& path_;
     ScenePart& part_;
     WarningList& warnings_;
+    obj::FileFinder files_;
     obj::MaterialLibrary library_;
+    std::unordered_set<std::string> libraries_;  ///< paths that were read
     std::size_t line_ = 0;
     std::optional<Error> error_;
 

@@ -20,8 +20,10 @@ std::uint8_t step(float value, int bits) {
 }  // namespace
 
 void VertexColours::add(std::size_t vertex, const Vec3& colour) {
-    colours_.resize(vertex + 1);
-    known_.resize(vertex + 1, false);
+    if (vertex >= colours_.size()) {
+        colours_.resize(vertex + 1);
+        known_.resize(vertex + 1, false);
+    }
     colours_[vertex] = colour;
     known_[vertex] = true;
 }
@@ -54,14 +56,15 @@ Vec2 VertexColours::uv(std::uint32_t face) const {
             (static_cast<float>(texel / width_) + 0.5F) / static_cast<float>(height_)};
 }
 
-void VertexColours::finish(Scene& scene, WarningList& warnings) {
+void VertexColours::finish(Scene& scene, WarningList& warnings, bool mayCountTo255) {
     if (materials_.empty()) return;
-    warnings.add("vertex colours are taken as reflectances (linear, like Kd), each face with the mean of its corners");
+    warnings.add("vertex colours are taken as reflectances (linear), each face with the mean of its corners");
     float most = 0;
     bool clamped = false;
     for (const auto& c : faces_) most = std::max({most, c.x, c.y, c.z});
-    const float unit = most > 1 ? 255.0F : 1.0F;  // some programs count to 255
-    if (most > 1) warnings.add("vertex colours go beyond 1: taken as counting to 255");
+    const bool bytes = most > 1 && mayCountTo255;
+    const float unit = bytes ? 255.0F : 1.0F;
+    if (bytes) warnings.add("vertex colours go beyond 1: taken as counting to 255");
     for (auto& c : faces_)
         for (auto* x : {&c.x, &c.y, &c.z}) {
             const float fraction = std::clamp(*x / unit, 0.0F, 1.0F);

@@ -30,7 +30,9 @@ public:
     /// Texture coordinates of a face's colour. After finish().
     [[nodiscard]] Vec2 uv(std::uint32_t face) const;
     /// Fills in the picture and the materials made by addMaterial().
-    void finish(Scene& scene, WarningList& warnings);
+    ///
+    /// mayCountTo255  what goes beyond 1 does so; else it is out of range
+    void finish(Scene& scene, WarningList& warnings, bool mayCountTo255 = true);
 
 private:
     std::vector<Vec3> colours_;   // by vertex, as the file gives them

@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 
 /// Names of more words than this are not tried: a line of many words must not ask the disk for each pair of them.
 constexpr std::size_t kMostWordsOfAName = 16;
+constexpr std::size_t kMostWordsOfALine = 256;
 constexpr int kMostFilesLookedAt = 20'000;
 
 bool isFile(const fs::path& path) {
@@ -30,23 +31,23 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// The first file, by name, of a folder whose name differs in the case of letters alone.
-fs::path inOtherCase(const fs::path& folder, const std::string& name) {
-    std::error_code error;
-    fs::path found;
-    int seen = 0;
-    const fs::directory_iterator end;
-    for (auto at = fs::directory_iterator(folder, error); !error && at != end; at.increment(error)) {
-        if (++seen > kMostFilesLookedAt) break;
-        if (lower(at->path().filename().string()) != lower(name) || !isFile(at->path())) continue;
-        if (found.empty() || at->path() < found) found = at->path();
-    }
-    return found;
-}
-
 }  // namespace
 
-Result<NamedFile> findNamed(const fs::path& folder, std::string_view name) {
+const FileFinder::Names& FileFinder::namesIn(const fs::path& folder) {
+    const auto [known, isNew] = folders_.try_emplace(folder);
+    if (!isNew) return known->second;
+    std::error_code error;
+    const fs::directory_iterator end;
+    int seen = 0;
+    for (auto at = fs::directory_iterator(folder, error); !error && at != end; at.increment(error)) {
+        if (++seen > kMostFilesLookedAt) break;
+        const auto [other, first] = known->second.try_emplace(lower(at->path().filename().string()), at->path());
+        if (!first && at->path() < other->second) other->second = at->path();
+    }
+    return known->second;
+}
+
+Result<NamedFile> FileFinder::find(const fs::path& folder, std::string_view name) {
     if (name.size() > 1 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
     std::string forward(name);
     std::replace(forward.begin(), forward.end(), '\\', '/');
@@ -58,15 +59,18 @@ Result<NamedFile> findNamed(const fs::path& folder, std::string_view name) {
         if (!below) return below.error();
         return NamedFile{*below, ""};
     }
-    for (const auto& place : {below ? below->parent_path() : folder, folder})
-        if (const auto found = inOtherCase(place, last); !found.empty())
-            return NamedFile{found, fmt::format("names '{}': taken is '{}', which is there", name,
-                                                found.lexically_relative(folder).string())};
+    for (const auto& place : {below ? below->parent_path() : folder, folder}) {
+        const auto& names = namesIn(place);
+        const auto found = names.find(lower(last));
+        if (found != names.end() && isFile(found->second))
+            return NamedFile{found->second, fmt::format("names '{}': taken is '{}', which is there", name,
+                                                        found->second.lexically_relative(folder).string())};
+    }
     if (!below) return below.error();
     return NamedFile{*below, ""};
 }
 
-std::vector<std::string> libraryNames(const fs::path& folder, std::string_view line) {
+std::vector<std::string> FileFinder::libraryNames(const fs::path& folder, std::string_view line) {
     std::vector<std::string_view> starts;  // each word with all that follows
     Words words(line);
     const auto whole = words.remainder();
@@ -79,10 +83,10 @@ std::vector<std::string> libraryNames(const fs::path& folder, std::string_view l
         return Words(starts[first].substr(0, cut)).remainder();
     };
     const auto exists = [&](std::string_view name) {
-        const auto found = findNamed(folder, name);
+        const auto found = find(folder, name);
         return found && isFile(found->path);
     };
-    if (whole.empty()) return {std::string()};
+    if (whole.empty() || starts.size() > kMostWordsOfALine) return {std::string(whole)};
     std::vector<std::string> names;
     for (std::size_t i = 0; i < starts.size();) {
         std::size_t end = std::min(starts.size(), i + kMostWordsOfAName);

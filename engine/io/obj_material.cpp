@@ -1,7 +1,6 @@
 #include "engine/io/obj_material.h"
 
 #include "engine/core/file.h"
-#include "engine/io/obj_files.h"
 #include "engine/io/obj_mtl.h"
 #include "engine/io/texture_image.h"
 
@@ -78,7 +77,7 @@ TextureSlot MaterialLibrary::loadMap(const std::optional<MtlRecord::Map>& map, c
             warn(material, fmt::format("texture {} is left out, its factor alone is used", error.text()));
             return TextureSlot{};
         };
-        const auto found = findNamed(folder_, map->file);
+        const auto found = files_.find(folder_, map->file);
         if (!found) return refuse(found.error());
         if (!found->note.empty()) warn(material, "a map " + found->note);
         const auto bytes = readFile(found->path);

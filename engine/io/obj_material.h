@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/obj_files.h"
 #include "engine/io/warning_list.h"
 #include "engine/scene/scene.h"
 
@@ -53,6 +54,7 @@ private:
 
     Scene& scene_;
     WarningList& warnings_;
+    FileFinder files_;
     std::filesystem::path folder_;
     std::map<std::string, std::uint32_t, std::less<>> indices_;
     std::set<std::string, std::less<>> described_;  // by a library

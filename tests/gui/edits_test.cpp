@@ -154,6 +154,22 @@ TEST_F(Edits, LuminairesAreMovedAimedAndTurned) {
     EXPECT_THAT(text(), HasSubstr("position = [3.4, 8.1, 2.691]\narray = { count = [3, 1]"));
 }
 
+/// A luminaire that the text aims by LM-72's angles shows where it points, and is aimed in the window's own way.
+TEST_F(Edits, LuminairesAimedByLm72AreTurned) {
+    ASSERT_THAT(done([](const std::string& text) -> Result<std::string> {
+        return text + "\n[[luminaire]]\ntype = \"A\"\nname = \"flood\"\nposition = [1, 1, 2]\norient = 90\ntilt = 90\n";
+    }), IsEmpty());
+    const auto placed = edits::placedLuminaire(project(), text(), luminaire("flood"));
+    ASSERT_TRUE(placed);
+    EXPECT_NEAR(placed->aim.y, 1, 1e-6);
+    EXPECT_NEAR(placed->rotationDeg, 90, 1e-4);  // C0 up, where the smallest turn has it east; floats in degrees
+    edits::LuminaireChange change;
+    change.aim = Vec3d(1, 0, 0);
+    ASSERT_THAT(done(edits::changeLuminaires(open_.session.project(), {luminaire("flood")}, change)), IsEmpty());
+    EXPECT_NEAR(-project().scene.luminaires[luminaire("flood")].frame.normal.x, 1, 1e-6);
+    EXPECT_THAT(text(), testing::Not(HasSubstr("orient")));
+}
+
 TEST_F(Edits, LuminairesAreAddedDoubledAndRemoved) {
     const auto before = names();
     ASSERT_THAT(done(edits::addLuminaire("C", Vec3d(1, 1, 2.8))), IsEmpty());

@@ -230,6 +230,42 @@ TEST_F(GltfExtensions, HiddenNodesHideAllBelowThem) {
     EXPECT_THAT(s.warnings, testing::Contains(HasSubstr("3 nodes are hidden by KHR_node_visibility and left out: 'inner'")));
 }
 
+TEST_F(GltfExtensions, ColoursOfVerticesMultiplyTheBaseColour) {
+    auto m = triangle();
+    const int colours = m.accessor({0.8F, 0.2F, 0, 0.8F, 0.2F, 0, 0.2F, 0.2F, 0.3F}, "VEC3", 3);
+    m.doc["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = colours;
+    m.doc["materials"][0]["pbrMetallicRoughness"] = {{"baseColorFactor", {0.5, 0.5, 0.5, 1}}, {"metallicFactor", 0}};
+    const auto seen = [](const Scene& s) {
+        const auto& mesh = s.meshes.at(0);
+        const auto& material = s.materials[mesh.material];
+        const auto texel = s.textures.at(0).sample(mesh.uvs.at(0));
+        return material.reflectance * texel;
+    };
+    auto got = seen(scene(m));
+    // Half of the mean of the corners; one colour is its own largest, so that its texel is white.
+    EXPECT_NEAR(got.r, 0.3F, 1e-6F);
+    EXPECT_NEAR(got.g, 0.1F, 1e-6F);
+    EXPECT_NEAR(got.b, 0.05F, 1e-6F);
+    m.doc["meshes"][0]["primitives"][0].erase("material");
+    got = seen(scene(m));
+    EXPECT_NEAR(got.r, 0.6F, 1e-6F) << "without a material the colours are the reflectance";
+    m.doc["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = m.accessor({1, 1}, "VEC2", 2);
+    EXPECT_THAT(refusal(m), HasSubstr("is not VEC3 or VEC4"));
+}
+
+TEST_F(GltfExtensions, FilesOfOtherMachinesAreFoundBesideTheModel) {
+    auto m = triangle();
+    ASSERT_TRUE(read(m));
+    json doc = m.doc;
+    for (const char* uri : {"M.BIN", "C:\\models\\m.bin", ".\\m.bin"}) {
+        doc["buffers"] = {{{"byteLength", m.bytes.size()}, {"uri", uri}}};
+        std::ofstream(folder_ / "m.gltf") << doc.dump();
+        const auto part = readSceneFile(folder_ / "m.gltf", {});
+        ASSERT_TRUE(part) << uri << ": " << part.error().text();
+        EXPECT_EQ(part->scene.triangleCount(), 1U);
+    }
+}
+
 TEST_F(GltfExtensions, DirectionalLightsAreSuns) {
     auto m = triangle();
     m.doc["extensions"]["KHR_lights_punctual"]["lights"] = {
