@@ -39,11 +39,13 @@ std::string describe(const RenderResult& r, const Options& o, const View& view, 
     const auto error = known ? fmt::format("error {:.2g} % of the mean luminance (95 %)", 100 * r.relativeError) : "error not known from so few";
     if (!json)
         return fmt::format("{}: {} x {} pixels, {} paths each, {:.1f} s, {}{}\n", o.output, r.image.width(), r.image.height(), r.samplesPerPixel,
-                           r.seconds, error, r.complete ? "" : ", incomplete: interrupted");
+                           r.seconds, error,
+                           r.complete ? "" : r.valuelessPixels > 0 ? ", incomplete: not all has a value" : ", incomplete: interrupted");
     const nlohmann::ordered_json out{{"schema", "luxdeck-render/1"}, {"output", o.output}, {"view", view.name}, {"complete", r.complete},
                                      {"seconds", r.seconds}, {"samplesPerPixel", r.samplesPerPixel}, {"rays", r.counters.rays},
                                      {"relativeError", known ? nlohmann::ordered_json(r.relativeError) : nlohmann::ordered_json()}, {"targetReached", r.targetReached},
-                                     {"rejectedSamples", r.counters.rejected}, {"quantity", o.quantity}};
+                                     {"rejectedSamples", r.counters.rejected}, {"valuelessPixels", r.valuelessPixels},
+                                     {"warnings", r.warnings}, {"quantity", o.quantity}};
     return jsonText(out);
 }
 
@@ -66,7 +68,9 @@ Exit runRender(const Options& o, Context& context) {
     if (result->samplesPerPixel == 0)  // holes would be black surfaces to whoever reads them
         return complain({ErrorCode::Cancelled, "interrupted before every pixel had a sample: nothing is written", o.output});
     if (const auto written = writeExr(o.output, result->image); !written) return complain(written.error());
+    printWarnings(result->warnings, context.common.quiet);
     if (const auto told = writeOutput("-", describe(*result, o, view, context.common.json)); !told) return complain(told.error());
+    if (result->valuelessPixels > 0) return Exit::NotReached;
     return !result->complete ? Exit::Interrupted : result->targetReached ? Exit::Ok : Exit::NotReached;
 }
 

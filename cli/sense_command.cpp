@@ -63,6 +63,7 @@ public:
         }
         SamplingRun run(estimator_, loaded_.project.scene.weights, std::move(targets), context_.common.seed);
         sample(run);
+        for (const auto& sums : run.sums()) withheld_ += sums.perReplicate > 0 && sums.withheld() ? 1 : 0;
         std::string out;
         std::size_t next = 0;
         for (const auto kind : kinds)
@@ -72,6 +73,8 @@ public:
 
     [[nodiscard]] bool badLine() const { return bad_; }
     [[nodiscard]] bool missedTarget() const { return missed_; }
+    /// Answers that are no numbers, as too much has no value.
+    [[nodiscard]] std::uint64_t withheld() const { return withheld_; }
 
 private:
     void sample(SamplingRun& run) {
@@ -85,7 +88,8 @@ private:
             for (std::size_t i = 0; i < request.size(); ++i) {
                 const auto& sums = run.sums()[i];
                 const bool open = sums.total().relative() > target;
-                const bool room = sums.perReplicate < kMostPerReplicate;
+                const bool helps = sums.noise() > target * std::abs(sums.total().value);
+                const bool room = sums.perReplicate < kMostPerReplicate && helps;
                 missed_ = missed_ || (open && !room);
                 request[i] = open && room ? sums.perReplicate : 0;
                 more = more || request[i] > 0;
@@ -96,7 +100,7 @@ private:
     }
 
     [[nodiscard]] std::string text(const PointSums& sums) const {
-        const bool known = sums.perReplicate > 0;
+        const bool known = sums.perReplicate > 0 && !sums.withheld();
         const Rgb c = sums.rgbMean();
         const auto y = known ? sums.total() : Interval{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
         if (context_.common.json) {
@@ -114,7 +118,7 @@ private:
     const RadianceEstimator& estimator_;
     const Options& o_;
     Context& context_;
-    std::uint64_t lineNumber_ = 0;
+    std::uint64_t lineNumber_ = 0, withheld_ = 0;
     bool bad_ = false, missed_ = false;
 };
 
@@ -130,8 +134,11 @@ Exit runSense(const Options& o, Context& context) {
         if (const auto written = writeOutput("-", sense.answer(lines)); !written) return complain(written.error());
     if (context.progress.cancelled()) return Exit::Interrupted;
     if (reader.failed()) return complain({ErrorCode::Parse, "a line is longer than 64 KiB, expected six numbers", "stdin"});
+    if (sense.withheld() > 0)
+        printWarnings({fmt::format("{} answers are withheld: of more than {:.0f} % of their samples a part is missing, as something "
+                                   "has no value", sense.withheld(), 100 * kMostLost)}, context.common.quiet);
     if (sense.badLine()) return Exit::BadInput;
-    return sense.missedTarget() ? Exit::NotReached : Exit::Ok;
+    return sense.missedTarget() || sense.withheld() > 0 ? Exit::NotReached : Exit::Ok;
 }
 
 }  // namespace

@@ -46,11 +46,16 @@ std::string gridText(const GridResult& g) {
     return text;
 }
 
+const char* stateText(const SolveResult& r) {
+    if (r.withheldPoints > 0) return "incomplete: numbers are withheld";
+    return !r.complete ? "incomplete: interrupted" : r.targetReached ? "complete" : "target error not reached";
+}
+
 }  // namespace
 
 std::string solveText(const SolveResult& r) {
     std::string text = fmt::format("{}: {} ({}), seed {}, {:.1f} s after {:.1f} s of set-up, {:.2f} million paths\n", r.project, r.algorithm,
-                                   r.complete ? r.targetReached ? "complete" : "target error not reached" : "incomplete: interrupted", r.seed,
+                                   stateText(r), r.seed,
                                    r.seconds, r.setupSeconds, static_cast<double>(r.samples) * 1e-6);
     if (r.ambientLux != 0) text += fmt::format("constant ambient term: {} lx in every indirect value\n", r.ambientLux);
     for (const auto& g : r.grids) text += "\n" + gridText(g);
@@ -58,16 +63,16 @@ std::string solveText(const SolveResult& r) {
     if (!r.leftOut.empty()) text += " Left out, as this scene does not need it:";
     for (const auto& l : r.leftOut) text += fmt::format("\n  {} ({})", l.what, l.why);
     text += fmt::format("\nTruncated: {:.2g} of the energy.", r.truncatedFraction);
-    if (r.rejectedSamples > 0) text += fmt::format(" {} samples rejected as not finite or negative.", r.rejectedSamples);
+    if (r.rejectedSamples > 0) text += fmt::format(" Of {} samples a part is missing, as something has no value.", r.rejectedSamples);
     return text + "\n";
 }
 
 Exit exitOf(const SolveResult& r) {
-    if (!r.complete) return Exit::Interrupted;
+    if (!r.complete && r.withheldPoints == 0) return Exit::Interrupted;
     for (const auto& g : r.grids)
         for (const auto* s : {&g.mean, &g.minimum, &g.uniformity})
             if (s->verdict == Verdict::NotMet) return Exit::NotMet;
-    return r.targetReached ? Exit::Ok : Exit::NotReached;
+    return r.complete && r.targetReached ? Exit::Ok : Exit::NotReached;
 }
 
 Result<SolveResult> runSolve(const Loaded& loaded, const Effort& effort, const Context& context, double defaultError,

@@ -87,6 +87,9 @@ void addWarnings(Comparison& c) {
     for (const auto& run : c.runs) {
         const bool largest = std::ranges::none_of(c.runs, [&](const auto& other) { return other.subject == run.subject && other.algorithm == run.algorithm && other.rung > run.rung; });
         if (!largest) continue;
+        if (run.rejected > 0)
+            c.warnings.push_back(fmt::format("{} on {}: {} samples met something without a value; errors are of the light "
+                                             "that was found before", run.algorithm, run.subject, run.rejected));
         if (!run.rms) c.warnings.push_back(fmt::format("{} on {} is nearer to the truth than the reference is known to be: its error is at most {:.2g} %", run.algorithm, run.subject, 100 * run.rmsAtMost));
         const auto algorithm = std::ranges::find(c.algorithms, run.algorithm, &ComparedAlgorithm::name);
         if (run.bias && algorithm != c.algorithms.end() && algorithm->interreflection && *run.bias - kSurely * run.biasCi95 > algorithm->claimedBias)

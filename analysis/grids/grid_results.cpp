@@ -21,9 +21,9 @@ PointResult pointResult(const GridLayout& layout, std::size_t index, const Point
         point.total.ci95 = point.direct.ci95 = point.indirect.ci95 = std::numeric_limits<double>::infinity();
         return point;
     }
-    point.direct = meanOfReplicates(sums.directMeans());
-    point.indirect = meanOfReplicates(sums.indirectMeans());
-    point.total = meanOfReplicates(sums.totalMeans());
+    point.direct = sums.interval(sums.directMeans());
+    point.indirect = sums.interval(sums.indirectMeans());
+    point.total = sums.total();
     point.total.value = point.direct.value + point.indirect.value;  // exactly: the parts make the whole
     point.insideSolid = sums.backFaces * 2 > sums.samples();
     return point;
@@ -52,6 +52,29 @@ Interval meanOfGrids(std::span<const PointSums> sums) {
     return meanOfReplicates(means);
 }
 
+/// What was not seen at the points, in the statistics of them all. The mean has the mean of it. The smallest can be no
+/// more than the smallest upper end, and where the darkest point is not known, all that may be it have a part.
+void addUnseen(GridInterval& statistics, std::span<const PointSums> sums) {
+    double sum = 0, most = 0;
+    for (const auto& s : sums) sum += s.unseen(), most = std::max(most, s.unseen());
+    if (most == 0) return;
+    const double ofMean = sum / static_cast<double>(sums.size());
+    double lowestTop = std::numeric_limits<double>::infinity();
+    for (const auto& s : sums) lowestTop = std::min(lowestTop, s.total().high());
+    const double ofMinimum = std::min(most, std::max(0.0, lowestTop - statistics.minimum.high()));
+    const auto mean = statistics.mean, uniformity = statistics.uniformity;
+    statistics.mean = mean.widenedAbove(ofMean);
+    statistics.minimum = statistics.minimum.widenedAbove(ofMinimum);
+    const Interval unknown{uniformity.value, std::numeric_limits<double>::infinity()};
+    if (!(mean.value > 0) || !std::isfinite(ofMean)) {
+        statistics.uniformity = unknown;
+        return;
+    }
+    const double lessBy = uniformity.value * ofMean / (mean.value + ofMean);
+    statistics.uniformity = Interval::sides(uniformity.value, uniformity.below() + lessBy,
+                                            uniformity.above() + ofMinimum / mean.value);
+}
+
 void addStatistics(GridResult& grid, std::span<const PointSums> sums, PointErrors errors) {
     Interval unknown{0, std::numeric_limits<double>::infinity()};
     GridInterval statistics{unknown, unknown, unknown, 0};
@@ -63,6 +86,7 @@ void addStatistics(GridResult& grid, std::span<const PointSums> sums, PointError
             for (const double mean : s.totalMeans()) replicates.push_back(mean);
         statistics = gridInterval(replicates, sums.size());
         if (errors == PointErrors::GoTogether) statistics.mean = meanOfGrids(sums);
+        addUnseen(statistics, sums);
     }
     grid.mean = judged(statistics.mean, strictest(grid.requirements, &Requirement::meanLux));
     grid.minimum = judged(statistics.minimum, strictest(grid.requirements, &Requirement::minimumLux));

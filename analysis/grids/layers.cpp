@@ -73,15 +73,18 @@ Interval LayeredSums::value(std::size_t point, std::size_t layer) const {
     const auto* own = &sums.layers[layer * 2 * kReplicates];
     std::array<double, kReplicates> means{};
     for (std::size_t r = 0; r < kReplicates; ++r) means[r] = (own[r] + own[kReplicates + r]) / sums.perReplicate;
-    return meanOfReplicates(means);
+    return sums.interval(means);  // what was not seen may be of this layer
 }
 
 std::vector<PointSums> LayeredSums::combined(const std::vector<double>& factors) const {
     std::vector<PointSums> out;
     out.reserve(points.size());
+    double brightest = 1;  // what was not seen may be of any layer
+    for (const double factor : factors) brightest = std::max(brightest, factor);
     for (const auto& point : points) {
         PointSums sums;
         sums.perReplicate = point.perReplicate, sums.backFaces = point.backFaces, sums.rejected = point.rejected;
+        sums.lost = brightest * point.unseen() * static_cast<double>(point.samples());
         for (std::size_t layer = 0; layer < factors.size() && !point.layers.empty(); ++layer) {
             const auto* own = &point.layers[layer * 2 * kReplicates];
             for (std::size_t r = 0; r < kReplicates; ++r) {

@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <span>
 #include <stdexcept>
 
@@ -16,7 +18,13 @@ constexpr std::size_t kNumbers = 2 * kReplicates;  // of one layer at one point:
 
 /// Means with nine digits: 5e-10 of each, far below what any interval tells apart.
 void appendPoint(std::string& text, const PointSums& point, std::size_t layers) {
-    text += fmt::format("{{\"perReplicate\":{},\"backFaces\":{},\"rejected\":{},\"layers\":[", point.perReplicate, point.backFaces, point.rejected);
+    text += fmt::format("{{\"perReplicate\":{},\"backFaces\":{},\"rejected\":{},", point.perReplicate, point.backFaces,
+                        point.rejected);
+    // Of the whole point, whatever is dimmed: what was not seen may belong to any of its lights.
+    const double unseen = point.unseen();
+    if (unseen > 0)
+        text += fmt::format("\"unseen\":{},", std::isfinite(unseen) ? fmt::format("{:.9g}", unseen) : "null");
+    text += "\"layers\":[";
     for (std::size_t layer = 0; layer < layers; ++layer) {
         text += layer > 0 ? ",\n[" : "[";
         const auto own = point.layers.empty() ? std::span<const double>{} : std::span(point.layers).subspan(layer * kNumbers, kNumbers);
@@ -33,6 +41,11 @@ PointSums pointOf(const nlohmann::json& json, std::size_t layers) {
     PointSums point;
     point.perReplicate = json.at("perReplicate").get<std::uint32_t>();
     point.backFaces = json.at("backFaces").get<std::uint64_t>(), point.rejected = json.at("rejected").get<std::uint64_t>();
+    if (const auto unseen = json.find("unseen"); unseen != json.end()) {
+        const double lux = unseen->is_null() ? std::numeric_limits<double>::infinity() : unseen->get<double>();
+        if (!(lux >= 0)) throw std::runtime_error(fmt::format("what was not seen is {}, expected 0 lx or more", lux));
+        point.lost = lux * static_cast<double>(point.samples());
+    }
     const auto& rows = json.at("layers");
     if (rows.size() != layers) throw std::runtime_error(fmt::format("a point has {} layers, expected {}", rows.size(), layers));
     point.layers.assign(layers * kNumbers, 0.0);  // no sooner: what is taken must be there to be filled

@@ -3,6 +3,8 @@
 #include "analysis/grids/layers.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace luxdeck {
 
@@ -12,6 +14,29 @@ void PointSums::add(const PointSums& more) {
     if (layers.empty()) layers.assign(more.layers.size(), 0.0);
     for (std::size_t i = 0; i < more.layers.size(); ++i) layers[i] += more.layers[i];
     perReplicate += more.perReplicate, backFaces += more.backFaces, rejected += more.rejected;
+    lost += more.lost;
+    lostAt = std::min(lostAt, more.lostAt);
+}
+
+bool PointSums::withheld() const {
+    return static_cast<double>(rejected) > kMostLost * static_cast<double>(samples()) || !std::isfinite(lost);
+}
+
+bool PointSums::staysOpen() const {
+    constexpr std::uint32_t kEnough = 4096;  // samples of each replicate: a share so near the limit is not worth more
+    const double most = kMostLost * static_cast<double>(samples());
+    const bool surely = static_cast<double>(rejected) > most + 3 * std::sqrt(most) || !std::isfinite(lost);
+    return withheld() && (surely || perReplicate >= kEnough);
+}
+
+double PointSums::noise() const {
+    if (withheld()) return staysOpen() ? 0 : std::numeric_limits<double>::infinity();
+    return meanOfReplicates(totalMeans()).ci95;
+}
+
+double PointSums::unseen() const {
+    if (withheld()) return std::numeric_limits<double>::infinity();
+    return lost / std::max<double>(1, static_cast<double>(samples()));
 }
 
 namespace {
@@ -30,9 +55,18 @@ constexpr std::size_t kSharedBatch = 2048;
 /// One sample of a target, in both forms that estimators answer.
 struct Outcome {
     Rgb direct, indirect;
-    bool backFace;
-    RayFailure failure;
+    bool backFace = false;
+    RayFailure failure = RayFailure::None;
+    Rgb lost;
+    std::uint32_t lostAt = kNothing;
 };
+
+Outcome outcomeOf(const RadianceSample& s) {
+    return {s.emitted + s.direct, s.indirect, s.backFace, s.failure, s.lost, s.lostAt};
+}
+Outcome outcomeOf(const SensorSample& s) {
+    return {s.direct, s.indirect, s.sawBackFace, s.failure, s.lost, s.lostAt};
+}
 
 std::vector<Outcome> ask(const RadianceEstimator& estimator, const Target& target, std::span<const SamplePath> numbers,
                          std::vector<SourceShare>& shares, TransportCounters& counters) {
@@ -42,8 +76,7 @@ std::vector<Outcome> ask(const RadianceEstimator& estimator, const Target& targe
         std::vector<RadianceSample> samples(numbers.size());
         for (std::size_t i = 0; i < numbers.size(); ++i) queries[i].ray = target.ray, queries[i].numbers = numbers[i];
         counters += estimator.radiance(queries, samples);
-        for (std::size_t i = 0; i < numbers.size(); ++i)
-            outcomes[i] = {samples[i].emitted + samples[i].direct, samples[i].indirect, samples[i].backFace, samples[i].failure};
+        for (std::size_t i = 0; i < numbers.size(); ++i) outcomes[i] = outcomeOf(samples[i]);
         return outcomes;
     }
     std::vector<SensorQuery> queries(numbers.size(), target.sensor);
@@ -51,8 +84,7 @@ std::vector<Outcome> ask(const RadianceEstimator& estimator, const Target& targe
     for (std::size_t i = 0; i < numbers.size(); ++i) queries[i].numbers = numbers[i];
     counters += target.layers != nullptr ? estimator.irradianceBySource(queries, samples, shares)
                                          : estimator.irradiance(queries, samples);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        outcomes[i] = {samples[i].direct, samples[i].indirect, samples[i].sawBackFace, samples[i].failure};
+    for (std::size_t i = 0; i < numbers.size(); ++i) outcomes[i] = outcomeOf(samples[i]);
     return outcomes;
 }
 
@@ -63,7 +95,10 @@ void enter(PointSums& sums, std::size_t replicate, const Outcome& o, const Lumin
     sums.rgb[1] += o.direct.g + o.indirect.g;
     sums.rgb[2] += o.direct.b + o.indirect.b;
     sums.backFaces += o.backFace ? 1 : 0;
-    sums.rejected += o.failure != RayFailure::None ? 1 : 0;
+    sums.lost += o.lost.isBlack() ? 0 : luminance(o.lost, weights);
+    if (o.failure == RayFailure::None) return;
+    ++sums.rejected;
+    sums.lostAt = std::min(sums.lostAt, o.lostAt);
 }
 
 }  // namespace
@@ -78,7 +113,9 @@ std::array<double, kReplicates> PointSums::totalMeans() const {
     return means;
 }
 
-Interval PointSums::total() const { return meanOfReplicates(totalMeans()); }
+Interval PointSums::interval(const std::array<double, kReplicates>& means) const {
+    return meanOfReplicates(means).widenedAbove(unseen());
+}
 
 Rgb PointSums::rgbMean() const {
     const double n = std::max<double>(1, static_cast<double>(samples()));
@@ -130,8 +167,7 @@ std::vector<PointSums> measureTogether(const RadianceEstimator& estimator, const
         samples.resize(queries.size());
         counters += estimator.irradiance(queries, samples);
         for (std::size_t q = 0; q < queries.size(); ++q) {
-            const auto& s = samples[q];
-            enter(sums[q % n], (start + q / n) / count, {s.direct, s.indirect, s.sawBackFace, s.failure}, weights);
+            enter(sums[q % n], (start + q / n) / count, outcomeOf(samples[q]), weights);
         }
     }
     return sums;

@@ -14,6 +14,9 @@ namespace luxdeck {
 /// 32 sets put Student's t at 2.04 and the error's own error at 13 %.
 inline constexpr int kReplicates = 32;
 
+/// Part of a point's samples from which on its numbers are withheld when they failed.
+inline constexpr double kMostLost = 0.01;
+
 /// The samples of one point so far. Sums by replicate, in luminance (illuminance) and, over all, in colour.
 struct PointSums {
     std::array<double, kReplicates> direct{};
@@ -22,15 +25,28 @@ struct PointSums {
     std::vector<double> layers;      // #layers x 2 x R, direct then indirect; empty unless they are asked for
     std::uint32_t perReplicate = 0;  // samples of each replicate
     std::uint64_t backFaces = 0;
-    std::uint64_t rejected = 0;
+    std::uint64_t rejected = 0;      // samples of which a part is missing
+    double lost = 0;                 // the most that is missing; infinite: nothing is known of it
+    std::uint32_t lostAt = kNothing;   // index into Scene::materials of a surface that has no value
 
     void add(const PointSums& more);
+    /// So much is missing that the numbers say nothing: they are withheld.
+    [[nodiscard]] bool withheld() const;
+    /// More samples will not change that: enough were taken, and too many of them fail.
+    [[nodiscard]] bool staysOpen() const;
+    /// Half-width that more samples bring down [lx]: not what is missing; infinite before it is clear whether too much is.
+    [[nodiscard]] double noise() const;
+    /// How much more the mean may be than what was found: what is missing of failed samples. Infinite where the numbers are
+    /// withheld.
+    [[nodiscard]] double unseen() const;
     [[nodiscard]] std::uint64_t samples() const { return std::uint64_t{perReplicate} * kReplicates; }
     /// Means of every replicate, #R.
     [[nodiscard]] std::array<double, kReplicates> directMeans() const;
     [[nodiscard]] std::array<double, kReplicates> indirectMeans() const;
     [[nodiscard]] std::array<double, kReplicates> totalMeans() const;
-    [[nodiscard]] Interval total() const;
+    /// Of the mean of such replicates, with what was not seen.
+    [[nodiscard]] Interval interval(const std::array<double, kReplicates>& means) const;
+    [[nodiscard]] Interval total() const { return interval(totalMeans()); }
     [[nodiscard]] Rgb rgbMean() const;
 };
 

@@ -14,8 +14,11 @@ using Json = nlohmann::ordered_json;
 
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
+/// Null where nothing is known, or so little that the number is withheld.
+Json known(const Interval& i) { return std::isfinite(i.ci95) ? number(i.value) : Json(nullptr); }
+
 Json statistic(const JudgedInterval& s) {
-    Json out{{"value", number(s.interval.value)}, {"ci95", number(s.interval.ci95)}};
+    Json out{{"value", known(s.interval)}, {"ci95", number(s.interval.ci95)}};
     out["required"] = s.required ? Json(*s.required) : Json(nullptr);
     out["verdict"] = s.verdict == Verdict::None ? Json(nullptr) : Json(verdictText(s.verdict));
     return out;
@@ -24,9 +27,9 @@ Json statistic(const JudgedInterval& s) {
 Json point(const PointResult& p) {
     return {{"x", p.position.x}, {"y", p.position.y}, {"z", p.position.z},
             {"nx", p.normal.x}, {"ny", p.normal.y}, {"nz", p.normal.z},
-            {"lx", number(p.total.value)}, {"ci95", number(p.total.ci95)},
-            {"direct", number(p.direct.value)}, {"directCi95", number(p.direct.ci95)},
-            {"indirect", number(p.indirect.value)}, {"indirectCi95", number(p.indirect.ci95)},
+            {"lx", known(p.total)}, {"ci95", number(p.total.ci95)},
+            {"direct", known(p.direct)}, {"directCi95", number(p.direct.ci95)},
+            {"indirect", known(p.indirect)}, {"indirectCi95", number(p.indirect.ci95)},
             {"samples", p.samples}};
 }
 
@@ -82,7 +85,7 @@ std::string solveJson(const SolveResult& r) {
     out["truncatedFraction"] = r.truncatedFraction;
     out["condition"] = {{"meanReflectance", r.condition.meanReflectance}, {"amplification", r.condition.amplification},
                         {"effectiveReplicates", r.condition.effectiveReplicates}};
-    out["rejectedSamples"] = r.rejectedSamples;
+    out["rejectedSamples"] = r.rejectedSamples, out["withheldPoints"] = r.withheldPoints;
     out["sceneHash"] = r.sceneHash, out["projectHash"] = r.projectHash;
     out["version"] = r.version, out["kernel"] = r.kernel;
     return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

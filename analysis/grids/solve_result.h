@@ -76,7 +76,7 @@ struct LayeredSums;
 /// What `solve` found: `solve --json` and the report are this.
 struct SolveResult {
     std::string project;       // name
-    bool complete = true;      // false: interrupted
+    bool complete = true;      // false: interrupted, or numbers are withheld
     bool targetReached = true; // false: the time ran out before the target error
     double targetError = 0;    // relative; 0: none was asked for
     double seconds = 0;        // of solving
@@ -94,7 +94,8 @@ struct SolveResult {
     std::vector<std::string> warnings;
     double truncatedFraction = 0;   // of the energy that Russian roulette's depth cap cut off, upper bound
     Condition condition;
-    std::uint64_t rejectedSamples = 0;  // NaN or negative, counted and left out
+    std::uint64_t rejectedSamples = 0;  // of which a part is missing: NaN or negative; counted
+    std::uint64_t withheldPoints = 0;   // whose numbers are withheld, since too many of their samples are such
     std::string sceneHash, projectHash;
     std::string version;       // of luxdeck
     std::string kernel;        // "Embree 3.13.5"

@@ -82,6 +82,8 @@ public:
             if (settings_.samples || reached()) break;
             if (afterRound) tellSoFar(afterRound);
             request = nextRequest();
+            // What misses the target still will miss it however long it goes on.
+            going = going && std::ranges::any_of(request, [](auto more) { return more > 0; });
         }
         finish();
         return std::move(result_);
@@ -109,6 +111,9 @@ private:
     /// Turns the sums into results and enters the error into the trace.
     void assess() {
         result_.grids = gridResults(project_, layouts_, run_.sums(), errors_);
+        lacking_.assign(result_.grids.size(), 0);
+        for (std::size_t i = 0; i < points_.size(); ++i)
+            if (run_.sums()[i].unseen() > 0) lacking_[points_[i].grid] = 1;
         ErrorAtTime entry{run_.seconds(), largestStatisticError(result_.grids), rmsPointError(result_.grids),
                           run_.counters().paths};
         state_.errorPercent = 100 * std::max(entry.relativeError, entry.rmsPointError);
@@ -145,19 +150,28 @@ private:
         return work > 1.2 && std::isfinite(slope) ? std::clamp(slope, 0.5, 1.0) : 0.5;
     }
 
-    [[nodiscard]] double needed(const Point& p) const {
-        const auto& grid = result_.grids[p.grid];
-        return needed(p, aimOf(grid, grid.points[p.index]));
+    [[nodiscard]] double needed(std::size_t i) const {
+        const auto& grid = result_.grids[points_[i].grid];
+        // Emin and Uo that miss the target by what is missing will miss it however well the darkest points are known.
+        const bool lacking = lacking_[points_[i].grid] != 0;
+        return needed(i, lacking ? kAim * settings_.targetError : aimOf(grid, grid.points[points_[i].index]));
+    }
+
+    /// What samples can bring down of a point's error: all but what is missing.
+    [[nodiscard]] double noiseOf(std::size_t i) const {
+        const auto& grid = result_.grids[points_[i].grid];
+        auto point = grid.points[points_[i].index];
+        const auto& sums = run_.sums()[i];
+        if (sums.unseen() > 0) point.total.ci95 = sums.noise();
+        return pointError(grid, point);
     }
 
     /// Samples for each replicate that bring the point to an error.
-    [[nodiscard]] double needed(const Point& p, double aim) const {
-        const auto& grid = result_.grids[p.grid];
-        const auto& point = grid.points[p.index];
-        const double have = static_cast<double>(point.samples) / kReplicates;
+    [[nodiscard]] double needed(std::size_t i, double aim) const {
+        const double have = run_.sums()[i].perReplicate;
         if (have == 0) return kPilot;
         if (!(settings_.targetError > 0)) return std::numeric_limits<double>::infinity();
-        const double ratio = pointError(grid, point) / aim;
+        const double ratio = noiseOf(i) / aim;
         return ratio <= 1 ? have : have * std::pow(ratio, 1 / errorExponent());
     }
 
@@ -165,7 +179,7 @@ private:
         std::vector<std::uint32_t> request(points_.size(), 0);
         for (std::size_t i = 0; i < points_.size(); ++i) {
             const double have = run_.sums()[i].perReplicate;
-            const double more = std::min(needed(points_[i]) - have, std::max(have, double{kPilot}));
+            const double more = std::min(needed(i) - have, std::max(have, double{kPilot}));
             // Whole eights keep the tail of a stratified set small.
             request[i] = more > 0 ? static_cast<std::uint32_t>(std::ceil(more / 8) * 8) : 0;
         }
@@ -179,7 +193,7 @@ private:
         if (!(settings_.targetError > 0) || settings_.samples) return;
         double paths = 0;
         for (std::size_t i = 0; i < points_.size(); ++i)
-            paths += kReplicates * std::max(0.0, needed(points_[i], kAim * settings_.targetError) - run_.sums()[i].perReplicate);
+            paths += kReplicates * std::max(0.0, needed(i, kAim * settings_.targetError) - run_.sums()[i].perReplicate);
         state_.secondsLeft = paths / std::max(run_.pathsPerSecond(), 1.0);
         if (result_.trace.size() <= 2) result_.predictedSeconds = run_.seconds() + state_.secondsLeft;
         progress_.report(state_);
@@ -195,7 +209,8 @@ private:
         const auto& counters = run_.counters();
         auto& r = result_;
         r.project = project_.info.name;
-        r.complete = !progress_.cancelled() && (!settings_.samples || allSampled());
+        r.withheldPoints = static_cast<std::uint64_t>(std::ranges::count_if(run_.sums(), &PointSums::withheld));
+        r.complete = !progress_.cancelled() && (!settings_.samples || allSampled()) && r.withheldPoints == 0;
         r.targetError = settings_.samples ? 0 : settings_.targetError;
         r.targetReached = !(r.targetError > 0) || reached();
         r.seconds = run_.seconds();
@@ -223,10 +238,21 @@ private:
         return std::all_of(run_.sums().begin(), run_.sums().end(), [](const auto& s) { return s.perReplicate > 0; });
     }
 
-    static void addWarnings(SolveResult& r) {
+    /// What has no value: the first such surface, by name.
+    [[nodiscard]] std::string valueless() const {
+        std::uint32_t at = kNothing;
+        for (const auto& s : run_.sums()) at = std::min(at, s.lostAt);
+        if (at == kNothing) return "a light or what is before it";
+        return fmt::format("material \"{}\"", project_.scene.materials[at].name);
+    }
+
+    void addWarnings(SolveResult& r) const {
         if (r.rejectedSamples > 0)
-            r.warnings.push_back(fmt::format("{} of {} samples were not finite or negative and were left out",
-                                             r.rejectedSamples, r.samples));
+            r.warnings.push_back(fmt::format("{} of {} samples met something without a value ({}): what was found before is kept, "
+                                             "the intervals hold what may be missing", r.rejectedSamples, r.samples, valueless()));
+        if (r.withheldPoints > 0)
+            r.warnings.push_back(fmt::format("the numbers of {} of {} points are withheld: of more than {:.0f} % of their "
+                                             "samples a part is missing", r.withheldPoints, points_.size(), 100 * kMostLost));
         for (const auto& grid : r.grids) {
             std::size_t inside = 0;
             for (const auto& point : grid.points) inside += point.insideSolid ? 1 : 0;
@@ -246,6 +272,7 @@ private:
     SamplingRun run_;
     ProgressState state_;
     SolveResult result_;
+    std::vector<std::uint8_t> lacking_;  // by grid: light may be missing at some of its points
     bool metByChance_ = false;
 };
 

@@ -20,12 +20,15 @@ namespace {
 constexpr std::size_t kPixelsPerTask = 512;
 constexpr std::uint32_t kFirstPass = 1;   // paths a pixel: even a short time gives a whole picture
 constexpr std::uint32_t kMostPerPass = 16;
+constexpr double kMostFailed = 0.01;         // part of a pixel's samples, as of a point's (analysis/grids/measurement.h)
 constexpr std::uint32_t kEnoughToJudge = 4;  // paths a pixel before its error is believed
 
 /// The sums of one pixel.
 struct Pixel {
     std::array<double, 3> rgb{};
     double squares = 0;          // of the luminance
+    double lost = 0;             // the most that failed samples miss of it
+    std::uint32_t failed = 0;    // samples of which a part is missing
     float distance = kInfinity;  // of the first sample
     std::uint32_t samples = 0;
 };
@@ -136,7 +139,10 @@ private:
     void addLuminance(std::span<const RadianceQuery> queries, std::span<const std::size_t> owners, TransportCounters& counters) {
         std::vector<RadianceSample> samples(queries.size());
         counters += estimator_.radiance(queries, samples);
-        for (std::size_t i = 0; i < samples.size(); ++i) add(owners[i], samples[i].total(), samples[i].distance);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            add(owners[i], samples[i].total(), samples[i].distance);
+            addLost(owners[i], samples[i].failure, samples[i].lost);
+        }
     }
 
     void addIlluminance(std::span<const RadianceQuery> queries, std::span<const std::size_t> owners, TransportCounters& counters) {
@@ -155,7 +161,15 @@ private:
         }
         std::vector<SensorSample> samples(sensors.size());
         counters += estimator_.irradiance(sensors, samples);
-        for (std::size_t i = 0; i < samples.size(); ++i) add(sensorOwners[i], samples[i].total(), hits[sensorHits[i]].distance);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            add(sensorOwners[i], samples[i].total(), hits[sensorHits[i]].distance);
+            addLost(sensorOwners[i], samples[i].failure, samples[i].lost);
+        }
+    }
+
+    void addLost(std::size_t p, RayFailure failure, const Rgb& lost) {
+        pixels_[p].failed += failure != RayFailure::None ? 1 : 0;
+        pixels_[p].lost += lost.isBlack() ? 0 : luminance(lost, project_.scene.weights);
     }
 
     void add(std::size_t p, const Rgb& value, float distance) {
@@ -171,8 +185,9 @@ private:
         const double n = std::max(1U, pixel.samples);
         const auto& w = project_.scene.weights;
         const double mean = (w.r * pixel.rgb[0] + w.g * pixel.rgb[1] + w.b * pixel.rgb[2]) / n;
-        const double variance = n > 1 ? std::max(0.0, pixel.squares / n - mean * mean) / (n - 1) : 0.0;
-        return {mean, variance};
+        const double noise = n > 1 ? std::max(0.0, pixel.squares / n - mean * mean) / (n - 1) : 0.0;
+        const double lost = pixel.lost / n;  // its truth lies evenly likely anywhere from nothing to all of it: 95 % below 0.95
+        return {mean, noise + lost * lost * (0.95 * 0.95 / (1.96 * 1.96))};
     }
 
     void assess() {
@@ -196,7 +211,12 @@ private:
         r.seconds = clock_.seconds();
         r.samplesPerPixel = done_;
         r.relativeError = relativeError_;
-        r.complete = !progress_.cancelled();
+        r.valuelessPixels = static_cast<std::size_t>(std::ranges::count_if(
+            pixels_, [](const Pixel& p) { return p.failed > kMostFailed * p.samples; }));
+        r.complete = !progress_.cancelled() && r.valuelessPixels == 0;
+        if (r.valuelessPixels > 0)
+            r.warnings.push_back(fmt::format("{} pixels show something without a value: they hold what was found before it, "
+                                             "their error what may be missing", r.valuelessPixels));
         r.targetReached = settings_.samples || !(settings_.targetError > 0) || relativeError_ <= settings_.targetError;
         r.counters = counters_;
         describe(r);

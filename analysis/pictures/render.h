@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace luxdeck {
 
@@ -36,9 +37,11 @@ struct RenderResult {
     double seconds = 0;
     std::uint32_t samplesPerPixel = 0;
     double relativeError = 0;   // root mean square over the pixels of the 95 % half-width, over the mean luminance
-    bool complete = true;
+    bool complete = true;       // false: interrupted, or too much of it has no value
     bool targetReached = true;
     TransportCounters counters;
+    std::size_t valuelessPixels = 0;    // of more than a hundredth of their samples a part is missing; some: not complete
+    std::vector<std::string> warnings;  // of what has no value
 };
 
 /// Whether a view can be rendered so: it has a size, and something ends the work.

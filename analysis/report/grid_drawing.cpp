@@ -191,7 +191,7 @@ GridDrawing drawGrid(Canvas& canvas, const QRectF& area, const RoomPlan& plan, c
                      const ValueRange& range) {
     const auto plane = GridPlane::of(grid);
     Drawing d{canvas, grid, plane, PlanScale(drawnBounds(grid, plane, plan, area), area), range, {}, {}};
-    for (const auto& point : grid.points) d.values.push_back(point.total.value);
+    for (const auto& point : grid.points) d.values.push_back(knownLux(point.total));
     canvas.clip(area);
     drawField(d);
     const auto lines = drawIsolines(d);

@@ -23,13 +23,16 @@ std::vector<NamedText> runFacts(const SolveResult& solve) {
     facts.push_back({"Paths and rays", fmt::format("{} paths, {} rays, {}", formatCount(solve.samples), formatCount(solve.rays), rateText(solve))});
     facts.push_back({"Target error", solve.targetError <= 0 ? "none asked for"
                                      : formatPercent(solve.targetError) + (solve.targetReached ? ", reached" : ", not reached")});
-    facts.push_back({"Complete", solve.complete ? "yes" : "no: interrupted"});
+    const auto withheld = withheldPoints(solve);
+    facts.push_back({"Complete", solve.complete ? "yes" : withheld > 0 ? "no: numbers are withheld" : "no: interrupted"});
     if (solve.ambientLux != 0) facts.push_back({"Constant ambient term", formatNumber(solve.ambientLux) + " lx added to every value"});
     facts.push_back({"Paths cut off", fmt::format("at most {} of the energy", formatPercent(solve.truncatedFraction))});
     facts.push_back({"Condition", fmt::format("mean reflectance {}, 1/(1–ρ) = {:.1f}; {:.1f} of {} replicates count", formatPercent(solve.condition.meanReflectance),
                                               solve.condition.amplification, solve.condition.effectiveReplicates, kReplicates)});
-    facts.push_back({"Rejected samples", solve.rejectedSamples == 0 ? "none"
-                                         : formatCount(solve.rejectedSamples) + " not finite or negative, counted and left out"});
+    facts.push_back({"Failed samples", solve.rejectedSamples == 0 ? "none"
+                                       : formatCount(solve.rejectedSamples) +
+                                             " met something without a value; the intervals hold what they lack"});
+    if (withheld > 0) facts.push_back({"Withheld", formatCount(withheld) + " points, of which too many samples failed"});
     return facts;
 }
 

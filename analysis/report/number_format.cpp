@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace luxdeck {
 
@@ -57,7 +58,7 @@ std::string formatNumber(double value, int digits) {
 std::string formatInterval(const Interval& interval) {
     const double ci = interval.ci95;
     if (!std::isfinite(interval.value)) return "–";
-    if (!std::isfinite(ci)) return formatNumber(interval.value, 3) + " ± ∞";
+    if (!std::isfinite(ci)) return "not known";
     if (ci <= 0) return formatNumber(interval.value, 4);
     const double leading = ci / std::pow(10.0, std::floor(std::log10(ci)));
     int decimals = decimalsFor(ci, leading < 2 ? 2 : 1);
@@ -66,6 +67,10 @@ std::string formatInterval(const Interval& interval) {
     double shown = std::ceil(ci * scale * (1 - 1e-9)) / scale;
     if (decimals > 6) return formatNumber(interval.value, 6) + " ± " + formatNumber(shown, 2);
     return formatFixed(interval.value, decimals) + " ± " + formatFixed(shown, decimals);
+}
+
+double knownLux(const Interval& lux) {
+    return std::isfinite(lux.ci95) ? lux.value : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::string formatGridLux(double lux) {

@@ -7,7 +7,7 @@
 namespace luxdeck {
 
 /// "512 ± 8": the half-width is rounded up to one digit (two when it starts with 1), the value to the same
-/// place, so that no digit is printed that is not known. "512 ± ∞" when nothing is known of the error;
+/// place, so that no digit is printed that is not known. "not known" when nothing is known of the error;
 /// an exact value has four digits and no interval.
 std::string formatInterval(const Interval& interval);
 
@@ -16,6 +16,9 @@ std::string formatNumber(double value, int digits = 4);
 
 /// A number with `decimals` decimals, thousands apart by a thin space.
 std::string formatFixed(double value, int decimals);
+
+/// The value, or NaN where it is withheld: nothing is known of its error.
+[[nodiscard]] double knownLux(const Interval& lux);
 
 /// One value of a grid in the plan: whole lux from 10 lx, else one decimal; "–" when not finite.
 std::string formatGridLux(double lux);

@@ -114,8 +114,10 @@ void Document::incompleteBand() {
     canvas_.text(sheet::kLeft, 5.8, "INCOMPLETE RESULT",
                  {8, QFont::Bold, ink::kWhite});
     canvas_.text(sheet::kRight, 5.8,
-                 line("Interrupted after " + formatSeconds(contents_.solve.seconds) +
-                      ". The intervals hold for the samples taken."),
+                 withheldPoints(contents_.solve) > 0
+                     ? line("Something has no value: numbers that rest on it are not known.")
+                     : line("Interrupted after " + formatSeconds(contents_.solve.seconds) +
+                            ". The intervals hold for the samples taken."),
                  {7.5, QFont::Medium, ink::kWhite, Align::Right});
 }
 

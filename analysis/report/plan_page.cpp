@@ -136,7 +136,7 @@ void drawPlace(Document& document, const GridResult& grid, double top) {
 void drawSurface(Document& document, const GridResult& grid) {
     auto& canvas = document.canvas();
     std::vector<double> values;
-    for (const auto& p : grid.points) values.push_back(p.total.value);
+    for (const auto& p : grid.points) values.push_back(knownLux(p.total));
     const auto range = roundRange(values);
     const bool plan = GridPlane::of(grid).plan;
     canvas.text(sheet::kLeft, 43.2, quantity(grid) + (plan ? " in lx, seen from above" : " in lx, seen from the front"), type::kSmall);

@@ -6,11 +6,22 @@
 #include "engine/io/project.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace luxdeck {
+
+/// Points whose numbers are withheld, as too many of their samples met something without a value; the solve counts them as
+/// well, but the report's twin keeps points alone.
+inline std::size_t withheldPoints(const SolveResult& solve) {
+    std::size_t count = 0;
+    for (const auto& grid : solve.grids)
+        for (const auto& point : grid.points) count += point.samples > 0 && !std::isfinite(point.total.ci95) ? 1 : 0;
+    return count;
+}
 
 /// One line of the luminaire schedule: luminaires of one product that run alike.
 struct ScheduleRow {

@@ -97,7 +97,11 @@ void drawNotes(Document& document) {
         note(document, "Undecided",
              "The required value lies inside the interval, so this run can say neither met nor not met. A longer run or a "
              "smaller target error narrows the interval until it can.");
-    if (!solve.complete)
+    if (const auto withheld = withheldPoints(solve); withheld > 0)
+        note(document, "Withheld",
+             line("Something in the scene has no value, and too many samples of " + formatCount(withheld) +
+                  " points met it: their numbers, and all that rests on them, are not known."));
+    else if (!solve.complete)
         note(document, "Incomplete",
              line("The solve was interrupted after " + formatSeconds(solve.seconds) +
                   ". Values and intervals are those of the samples taken until then."));

@@ -188,6 +188,12 @@ Interval gridUniformity(const MinimumEstimate& minimum, const Interval& mean, st
 
 }  // namespace
 
+Interval Interval::sides(double value, double below, double above) {
+    Interval out{value, std::max(below, above)};
+    if (below != above) out.narrower = std::min(below, above), out.narrowBelow = below < above;
+    return out;
+}
+
 double Interval::relative() const {
     if (ci95 == 0.0) return 0.0;
     return value == 0.0 ? kInfinity : ci95 / std::abs(value);

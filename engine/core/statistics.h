@@ -5,14 +5,22 @@
 
 namespace luxdeck {
 
-/// A value and the half-width of its 95 % interval, in the value's unit. An infinite half-width says
-/// that nothing is known yet.
+/// A value and the half-width of its 95 % interval, in the value's unit: the larger of its two sides, where they
+/// differ. An infinite half-width says that nothing is known yet.
 struct Interval {
     double value = 0;
     double ci95 = 0;
+    double narrower = -1;      // width of the other side; negative: as wide
+    bool narrowBelow = true;   // which side that is
 
-    [[nodiscard]] double low() const { return value - ci95; }
-    [[nodiscard]] double high() const { return value + ci95; }
+    /// Of two sides, neither negative.
+    static Interval sides(double value, double below, double above);
+    [[nodiscard]] double below() const { return narrower >= 0 && narrowBelow ? narrower : ci95; }
+    [[nodiscard]] double above() const { return narrower >= 0 && !narrowBelow ? narrower : ci95; }
+    [[nodiscard]] double low() const { return value - below(); }
+    [[nodiscard]] double high() const { return value + above(); }
+    /// The same with so much more on the upper side: what may be there beside what was found.
+    [[nodiscard]] Interval widenedAbove(double more) const { return sides(value, below(), above() + more); }
     /// Half-width over value; 0 for an exact zero, infinite for an uncertain one.
     [[nodiscard]] double relative() const;
 };

@@ -44,7 +44,10 @@ struct RadianceSample {
     Vec3 normal{0, 0, 0};      // geometric, towards the viewer; zero when nothing was met
     std::uint32_t object = kNothing;    // index into Scene::objects of what was met first
     bool backFace = false;     // it was met from behind, as its triangles are wound
-    RayFailure failure = RayFailure::None;  // not None: the radiances are zero and must not be averaged in
+    RayFailure failure = RayFailure::None;  // not None: a part is missing, and what was found before it is there
+    Rgb lost;                  // failed: the most that the missing part may be (docs/decisions/0011) [cd/m^2]; infinite:
+                               // nothing is known of it
+    std::uint32_t lostAt = kNothing;    // index into Scene::materials of the surface without a value that was met first
 
     [[nodiscard]] Rgb total() const { return emitted + direct + indirect; }
 };
@@ -66,7 +69,9 @@ struct SensorSample {
     Rgb direct;                // straight from luminaires and sky, panes in between allowed [lx]
     Rgb indirect;              // after one reflection or more [lx]
     bool sawBackFace = false;  // the ray met a triangle from behind: the sensor may be inside a solid
-    RayFailure failure = RayFailure::None;
+    RayFailure failure = RayFailure::None;  // not None: a part is missing, and what was found before it is there
+    Rgb lost;                  // failed: the most that the missing part may be [lx]; infinite: nothing is known of it
+    std::uint32_t lostAt = kNothing;  // as RadianceSample::lostAt
 
     [[nodiscard]] Rgb total() const { return direct + indirect; }
 };
@@ -84,7 +89,7 @@ struct SourceShare {
 struct TransportCounters {
     std::uint64_t rays = 0;        // closest-hit and occlusion queries
     std::uint64_t paths = 0;
-    std::uint64_t rejected = 0;    // samples with a failure
+    std::uint64_t rejected = 0;    // samples with a failure: a part of them is missing
     std::uint64_t truncated = 0;   // paths that the depth cap ended
     double truncatedWeight = 0;    // sum of their throughputs: over `paths` a bound on the relative loss
 
@@ -116,7 +121,7 @@ public:
 
     /// Whether irradianceBySource() does its work.
     [[nodiscard]] virtual bool knowsSources() const { return false; }
-    /// irradiance(), the same bits, with what each light gave in `shares` (cleared first). Rejected samples have none.
+    /// irradiance(), the same bits, with what each light gave in `shares` (cleared first).
     virtual TransportCounters irradianceBySource(std::span<const SensorQuery> queries, std::span<SensorSample> samples,
                                                  std::vector<SourceShare>& shares) const {
         shares.clear();

@@ -126,8 +126,9 @@ void VertexSampler::seekSources(const Receiver& at, std::uint64_t stream, std::u
     scene_.raycaster.occluded(rays, shadowed, Targets::Opaque);
     counters.rays += rays.size();
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (shadowed[i] != 0) round.sources[i].lux = Rgb{};
-        else if (scene_.needs.transmission) round.sources[i].lux *= paneTransmittance(scene_, rays[i], counters);
+        auto& source = round.sources[i];
+        if (shadowed[i] != 0) source.lux = Rgb{};
+        else if (scene_.needs.transmission) dim(source, paneTransmittance(scene_, rays[i], counters), round);
     }
 }
 
@@ -140,14 +141,26 @@ void VertexSampler::seekByMirrors(const Receiver& at, std::uint64_t stream, std:
         const auto choice = mirrors.choose(u);
         const auto path = aimByMirror(scene_, at, choice.mirror, *choice.weights, u, numbers.next2D());
         if (!path) continue;
-        const Rgb lux = path->light.weight * throughputByMirror(scene_, at.position, *path, counters) * (1 / (choice.probability * static_cast<float>(count)));
-        round.sources.push_back({path->direction, lux, false});
+        round.sources.push_back({path->direction, path->light.weight * (1 / (choice.probability * static_cast<float>(count))), false});
+        dim(round.sources.back(), throughputByMirror(scene_, at.position, *path, counters), round);
     }
+}
+
+/// What stands in the way has no value: between nothing and all of the light comes through.
+void VertexSampler::dim(SourceRay& source, const Rgb& passed, Round& round) const {
+    const Rgb lux = source.lux * passed;
+    if (!isFinite(lux)) {
+        auto& sample = round.samples[static_cast<std::size_t>(bins_.binOf(source.direction))];
+        sample.failure = RayFailure::NotFinite;
+        sample.lost += isFinite(source.lux) ? source.lux / static_cast<float>(bins_.solidAngleSr()) : Rgb(kInfinity);
+    }
+    source.lux = isFinite(lux) ? lux : Rgb{};
 }
 
 void VertexSampler::ignore(RadianceSample& sample) const {
     if (sample.object >= ignored_.size() || ignored_[sample.object] == 0) return;
-    sample.emitted = sample.direct = Rgb{};
+    sample.emitted = sample.direct = sample.lost = Rgb{};
+    sample.failure = RayFailure::None;
     sample.indirect = Rgb(settings_.ignoredCdM2);
 }
 
@@ -160,6 +173,18 @@ std::array<float, 6> VertexSampler::axisLux(const Round& round) const {
     return lux;
 }
 
+/// What failed samples of a round may miss, as axisLux().
+std::array<float, 6> VertexSampler::lostLux(const Round& round) const {
+    std::array<double, 6> sums{};
+    for (std::size_t bin = 0; bin < centres_.size(); ++bin) {
+        const auto& lost = round.samples[bin].lost;
+        if (!lost.isBlack()) addToAxes(sums, centres_[bin], luminance(lost, scene_.scene.weights) * bins_.solidAngleSr());
+    }
+    std::array<float, 6> lux{};
+    for (std::size_t i = 0; i < lux.size(); ++i) lux[i] = std::isnan(sums[i]) ? kInfinity : static_cast<float>(sums[i]);
+    return lux;
+}
+
 /// The round becomes a part of the means.
 void VertexSampler::enter(const Round& round, VertexState& state) const {
     auto& q = state.quality;
@@ -167,10 +192,7 @@ void VertexSampler::enter(const Round& round, VertexState& state) const {
     std::uint32_t backFaces = 0;
     for (std::size_t bin = 0; bin < centres_.size(); ++bin) {
         const auto& sample = round.samples[bin];
-        if (sample.failure != RayFailure::None) {
-            ++q.rejected;
-            continue;
-        }
+        q.rejected += sample.failure != RayFailure::None ? 1U : 0U;
         state.direct[bin] += (sample.emitted - state.direct[bin]) * part;
         state.indirect[bin] += (sample.direct + sample.indirect - state.indirect[bin]) * part;
         backFaces += sample.backFace ? 1U : 0U;
@@ -180,11 +202,14 @@ void VertexSampler::enter(const Round& round, VertexState& state) const {
     for (auto source : round.sources) source.lux *= part, state.sources.push_back(source);
     mergeByBin(state.sources, bins_, scene_.scene.weights);
     q.backFaces += (static_cast<float>(backFaces) / static_cast<float>(centres_.size()) - q.backFaces) * part;
-    const auto lux = axisLux(round);
+    const auto lux = axisLux(round), lost = lostLux(round);
     for (std::size_t i = 0; i < lux.size(); ++i) {  // Welford 1962
         const float delta = lux[i] - q.lux[i];
         q.lux[i] += delta * part;
         q.spread[i] += delta * (lux[i] - q.lux[i]);
+        // What failed samples miss is missing in all rounds alike: (2 n - 1) l^2, summed, is n^2 l^2, and the standard error
+        // does not fall below what a round misses.
+        q.spread[i] += lost[i] * lost[i] * static_cast<float>(2 * q.samples - 1);
     }
 }
 

@@ -55,9 +55,11 @@ private:
     void seekSources(const Receiver& at, std::uint64_t stream, std::uint32_t index, Round& round, TransportCounters& counters) const;
     void seekByMirrors(const Receiver& at, std::uint64_t stream, std::uint32_t index, Round& round, TransportCounters& counters) const;
     [[nodiscard]] bool isInside(const Vec3& position, const VertexQuality& quality, TransportCounters& counters) const;
+    void dim(SourceRay& source, const Rgb& passed, Round& round) const;
     void ignore(RadianceSample& sample) const;
     void enter(const Round& round, VertexState& state) const;
     [[nodiscard]] std::array<float, 6> axisLux(const Round& round) const;
+    [[nodiscard]] std::array<float, 6> lostLux(const Round& round) const;
 
     TransportScene scene_;
     const RadianceEstimator* estimator_;

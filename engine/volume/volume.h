@@ -61,7 +61,7 @@ struct VertexQuality {
     std::array<float, 6> spread{};       // sum of squared deviations of the samples' irradiances from their mean [lx^2]
     float backFaces = 0;                 // part of the rays that met a surface from behind
     float nearestM = 0;                  // to the nearest surface met
-    std::uint32_t rejected = 0;          // samples that were not finite or negative, left out
+    std::uint32_t rejected = 0;          // samples of which a part is missing: not finite or negative
     bool inside = false;                 // a solid, or lying on a surface
 
     /// Inside a solid, on a surface, or nothing of it is known: not to be interpolated from.

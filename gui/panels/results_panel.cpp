@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace luxdeck::gui {
 
 namespace {
@@ -42,6 +44,8 @@ QString stateText(const SolveResult& result, bool current, bool running) {
     auto text = QObject::tr("%1 · %2 s · largest 95 % half-width of a statistic %3 %")
                     .arg(qt(result.algorithm), qt(numberText(result.seconds)), qt(numberText(100 * worst)));
     if (running) text += QObject::tr(" · still being solved");
+    else if (result.withheldPoints > 0)
+        text += QObject::tr(" · numbers of %1 points are withheld").arg(result.withheldPoints);
     else if (!result.complete) text += QObject::tr(" · stopped before the end");
     if (!current) text += QObject::tr(" · OLD: the project has changed since");
     return text;
@@ -101,13 +105,14 @@ void ResultsPanel::showGrid(std::size_t grid) {
 QString ResultsPanel::csv() const {
     const auto result = session_.solving.result();
     if (!result) return {};
+    const auto known = [](const Interval& lux) { return std::isfinite(lux.ci95) ? lux.value : std::nan(""); };
     std::string text = "surface,x_m,y_m,z_m,lux,ci95,direct,indirect\n";
     for (const auto& grid : result->grids)
         for (const auto& p : grid.points) {
             std::string name = grid.name;
             for (std::size_t at = 0; (at = name.find('"', at)) != std::string::npos; at += 2) name.insert(at, 1, '"');
-            text += fmt::format("\"{}\",{:.4f},{:.4f},{:.4f},{:.6g},{:.4g},{:.6g},{:.6g}\n", name, p.position.x, p.position.y, p.position.z, p.total.value, p.total.ci95,
-                                p.direct.value, p.indirect.value);
+            text += fmt::format("\"{}\",{:.4f},{:.4f},{:.4f},{:.6g},{:.4g},{:.6g},{:.6g}\n", name, p.position.x,
+                                p.position.y, p.position.z, known(p.total), p.total.ci95, known(p.direct), known(p.indirect));
         }
     return qt(text);
 }

@@ -43,7 +43,7 @@ std::string numberText(double value) {
 
 std::string intervalText(double value, double ci95) {
     if (!std::isfinite(value)) return "-";
-    if (!std::isfinite(ci95)) return numberText(value) + " ± ?";
+    if (!std::isfinite(ci95)) return "not known";
     if (ci95 <= 0) return numberText(value);
     const int decimals = decimalsOf(ci95, ci95 < 10 ? 2 : 1);
     return fixed(value, decimals) + " ± " + fixed(ci95, decimals);

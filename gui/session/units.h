@@ -32,7 +32,7 @@ struct Units {
 
 /// As many digits as mean something: three, no exponent between 0.001 and 10^6; "-" for what is not a number.
 std::string numberText(double value);
-/// "512 ± 6": as many digits as the interval leaves.
+/// "512 ± 6": as many digits as the interval leaves; "not known" without a bound of the error.
 std::string intervalText(double value, double ci95);
 
 }  // namespace luxdeck::gui

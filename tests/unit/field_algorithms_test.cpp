@@ -1,5 +1,5 @@
 // What holds of every algorithm that prepares a field and gathers from it: beside `path` point by point, errors that fall with
-// the effort, bits that do not depend on threads, cancelling, patterns without a value, scenes with nothing in them.
+// the effort, bits that do not depend on threads, cancelling, scenes with nothing in them.
 #include "analysis/grids/measurement.h"
 #include "engine/algorithms/registry.h"
 #include "engine/core/parallel.h"
@@ -135,29 +135,6 @@ TEST_P(FieldAlgorithm, RefusesEffortsOutOfRange) {
         const auto made = makeEstimator(GetParam(), lit.transport(), settings);
         ASSERT_FALSE(made) << effort;
         EXPECT_EQ(made.error().code, ErrorCode::InvalidArgument);
-    }
-}
-
-/// Has no value on one side of the room.
-class HalfPattern final : public Pattern {
-public:
-    [[nodiscard]] Rgb value(const PatternPoint& at) const override {
-        return Rgb(at.position.x < 2 ? 1.0F : std::numeric_limits<float>::quiet_NaN());
-    }
-    [[nodiscard]] std::string identity() const override { return "half"; }
-};
-
-// Invariant: no NaN gets into a value; samples that met the pattern where it has none are counted as rejected.
-TEST_P(FieldAlgorithm, RejectsWhatAPatternHasNoValueFor) {
-    auto scene = cubeRoom(0.5F, 1000);
-    scene.patterns.push_back(std::make_shared<HalfPattern>());
-    scene.materials[0].reflectancePattern = 0;
-    const Lit lit(std::move(scene));
-    const auto got = sums(lit, *lit.estimator(GetParam()), gridIn(lit.scene, 2, 2, 0.3F), 32, 1);
-    for (const auto& s : got) {
-        EXPECT_TRUE(std::isfinite(s.total().value));
-        EXPECT_GT(s.rejected, 0U);
-        EXPECT_LT(s.rejected, s.samples());
     }
 }
 

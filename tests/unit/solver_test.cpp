@@ -13,6 +13,7 @@
 namespace luxdeck::test {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
@@ -221,10 +222,14 @@ TEST(Solve, BadSensorsAreCountedNotAveraged) {
     project.grids = {bad};
     const auto result = solved(project, samples(320));
     EXPECT_EQ(result.rejectedSamples, 320U);
-    EXPECT_TRUE(std::isfinite(result.grids[0].points[0].total.value));
+    EXPECT_TRUE(std::isinf(result.grids[0].points[0].total.ci95)) << "withheld";
+    EXPECT_TRUE(std::isfinite(result.grids[0].points[1].total.ci95));
     EXPECT_GT(result.grids[0].points[1].total.value, 0);
-    ASSERT_FALSE(result.warnings.empty());
-    EXPECT_THAT(result.warnings.back(), HasSubstr("320 of 640 samples were not finite"));
+    EXPECT_EQ(result.withheldPoints, 1U);
+    EXPECT_FALSE(result.complete);
+    EXPECT_TRUE(std::isinf(result.grids[0].mean.interval.ci95));
+    EXPECT_THAT(result.warnings, Contains(HasSubstr("320 of 640 samples")));
+    EXPECT_THAT(result.warnings, Contains(HasSubstr("1 of 2 points are withheld")));
 }
 
 TEST(Solve, TellsWhichPointsLieInsideASolid) {

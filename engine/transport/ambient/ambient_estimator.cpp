@@ -20,8 +20,7 @@ public:
     }
     TransportCounters irradiance(std::span<const SensorQuery> queries, std::span<SensorSample> samples) const override {
         const auto counters = gatherIlluminance(scene_, {.maxReflections = 0}, queries, samples);
-        for (auto& sample : samples)
-            if (sample.failure == RayFailure::None) sample.indirect += ambient_;
+        for (auto& sample : samples) sample.indirect += ambient_;
         return counters;
     }
 

@@ -145,7 +145,7 @@ bool CacheBuilder::lit(std::uint32_t index, const FieldPoint& point) const {
     auto few = tracer_;
     few.maxReflections = kLitReflections;
     gatherIlluminance(scene_, few, queries, samples);
-    return std::any_of(samples.begin(), samples.end(), [](const auto& s) { return !s.total().isBlack(); });
+    return std::any_of(samples.begin(), samples.end(), [](const auto& s) { return !(s.total() + s.lost).isBlack(); });
 }
 
 std::size_t CacheBuilder::takeRound(std::span<const Candidate> candidates, RecordGrid& grid, CacheAccuracy accuracy, std::size_t mostRecords) {
@@ -210,7 +210,7 @@ HemisphereCells CacheBuilder::coarseHemisphere() const {
 void CacheBuilder::gather(const IrradianceField* field, const HemisphereCells& hemisphere, CacheAccuracy accuracy) {
     auto tracer = tracer_;
     tracer.field = field;
-    good_.assign(records_.size(), 0);
+    done_.assign(records_.size(), 0);
     parallelFor(records_.size(), [&](std::size_t i) {
         if (!cancelled()) gatherRecord(i, tracer, hemisphere, accuracy);
     });
@@ -232,32 +232,31 @@ void CacheBuilder::gatherRecord(std::size_t index, const TracerSettings& tracer,
     const auto answers = reflected.trace();
 
     std::vector<HemisphereCell> cells(answers.size());
-    Rgb mean, mirrored;
+    Rgb lost, mirrored;
     ColourGradient mirroredRotation;
-    float good = 0;
-    for (const auto& a : answers)
-        if (!a.failed) mean += a.radiance, good += 1;
-    if (good < 0.5F * static_cast<float>(answers.size())) return;
+    const auto count = static_cast<float>(answers.size());
     for (std::size_t i = 0; i < answers.size(); ++i) {
-        cells[i] = {answers[i].failed ? mean / good : answers[i].radiance, answers[i].distance};
-        if (answers[i].failed || answers[i].mirrored.isBlack()) continue;
-        mirrored += answers[i].mirrored / good;
+        cells[i] = {answers[i].radiance, answers[i].distance};
+        lost += answers[i].lost * (kPi / count);
+        if (answers[i].mirrored.isBlack()) continue;
+        mirrored += answers[i].mirrored / count;
         const Vec3 from = frame.toLocal(answers[i].mirroredFrom);
-        mirroredRotation.add(Vec3(from.x, from.y, 0) / (from.z * good), answers[i].mirrored);
+        mirroredRotation.add(Vec3(from.x, from.y, 0) / (from.z * count), answers[i].mirrored);
     }
+    record.gap = lost;
     auto found = irradianceAndGradients(hemisphere, cells, accuracy.reach(record));
     found.rotation += mirroredRotation;
     record.irradiance = found.irradiance + mirrored;
     record.rotation = found.rotation.toWorld(frame);
     record.translation = found.translation.toWorld(frame);
     record.limitGradients(accuracy);
-    good_[index] = 1;
+    done_[index] = 1;
 }
 
 std::unique_ptr<IrradianceCache> CacheBuilder::finished(CacheAccuracy accuracy, std::unique_ptr<const IrradianceCache> coarser) const {
     std::vector<IrradianceRecord> records;
     for (std::size_t i = 0; i < records_.size(); ++i)
-        if (good_[i] != 0) records.push_back(records_[i]);
+        if (done_[i] != 0) records.push_back(records_[i]);
     return std::make_unique<IrradianceCache>(scene_, tracer_, std::move(records), accuracy, std::move(coarser));
 }
 

@@ -66,7 +66,7 @@ private:
     TracerSettings tracer_;
     SurfacePoints points_;
     std::vector<IrradianceRecord> records_;
-    std::vector<std::uint8_t> good_;     // by record: most of its rays came back
+    std::vector<std::uint8_t> done_;     // by record: it was gathered, not cancelled
     float leastDistance_ = 0;            // records' mean distances are clamped to these [m]
     float mostDistance_ = 0;
     std::uint32_t nextPoint_ = 0;

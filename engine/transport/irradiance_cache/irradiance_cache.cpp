@@ -27,10 +27,13 @@ std::uint64_t hashOf(const Vec3& p) {
 
 /// What the records said of one point.
 struct IrradianceCache::Sum {
+    Part part = Part::Light;
     Rgb weighted;
     float weight = 0;
 
-    void add(const Rgb& lux, float w) { weighted += lux * w, weight += w; }
+    void add(const IrradianceRecord& record, const FieldPoint& point, float w, std::uint64_t& clamped) {
+        weighted += (part == Part::Gap ? record.gap : record.at(point.position, point.normal, clamped)) * w, weight += w;
+    }
 };
 
 /// A record that serves a point if its rays are free.
@@ -43,11 +46,19 @@ struct IrradianceCache::Pending {
 IrradianceCache::IrradianceCache(const TransportScene& scene, const TracerSettings& settings, std::vector<IrradianceRecord> records,
                                  CacheAccuracy accuracy, std::unique_ptr<const IrradianceCache> coarser)
     : scene_(scene), settings_(settings), records_(std::move(records)), accuracy_(accuracy), coarser_(std::move(coarser)) {
-    for (std::uint32_t i = 0; i < records_.size(); ++i) grid_.insert(i, records_[i].position, accuracy_.reach(records_[i]));
+    hasGaps_ = coarser_ != nullptr && coarser_->hasGaps();
+    for (std::uint32_t i = 0; i < records_.size(); ++i) {
+        grid_.insert(i, records_[i].position, accuracy_.reach(records_[i]));
+        hasGaps_ = hasGaps_ || !records_[i].gap.isBlack();
+    }
 }
 
-void IrradianceCache::indirect(std::span<const FieldPoint> points, std::span<Rgb> lux) const {
-    std::vector<Sum> sums(points.size());
+void IrradianceCache::indirect(std::span<const FieldPoint> points, std::span<Rgb> lux) const { look(points, lux, Part::Light); }
+
+void IrradianceCache::gaps(std::span<const FieldPoint> points, std::span<Rgb> lux) const { look(points, lux, Part::Gap); }
+
+void IrradianceCache::look(std::span<const FieldPoint> points, std::span<Rgb> lux, Part part) const {
+    std::vector<Sum> sums(points.size(), Sum{part, {}, 0});
     std::vector<Pending> pending;
     std::vector<Ray> rays;
     std::uint64_t clamped = 0;
@@ -58,7 +69,8 @@ void IrradianceCache::indirect(std::span<const FieldPoint> points, std::span<Rgb
         if (sums[i].weight > 0) lux[i] = sums[i].weighted / sums[i].weight;
         else unserved.push_back(i);
     }
-    if (!unserved.empty()) askOthers(points, unserved, lux);
+    if (!unserved.empty()) askOthers(points, unserved, lux, part);
+    if (part == Part::Gap) return;
     asked_.fetch_add(points.size(), std::memory_order_relaxed);
     unserved_.fetch_add(unserved.size(), std::memory_order_relaxed);
     clamped_.fetch_add(clamped, std::memory_order_relaxed);
@@ -72,7 +84,7 @@ void IrradianceCache::takeRecords(std::uint32_t index, const FieldPoint& point, 
         if (!(weight > 0)) return;
         SightRays sightRays;
         const auto sight = sightOf(record, point, sightRays);
-        if (sight == Sight::Open) sum.add(record.at(point.position, point.normal, clamped), weight);
+        if (sight == Sight::Open) sum.add(record, point, weight, clamped);
         if (sight != Sight::Asked) return;
         pending.push_back({index, r, weight, sightRays.count});
         for (int i = 0; i < sightRays.count; ++i) rays.push_back(sightRays.rays[static_cast<std::size_t>(i)]);
@@ -88,20 +100,21 @@ void IrradianceCache::takeSeen(std::span<const FieldPoint> points, std::span<con
     for (const auto& p : pending) {
         bool open = true;
         for (int i = 0; i < p.rays; ++i) open = hidden[ray++] == 0 && open;
-        if (open) sums[p.point].add(records_[p.record].at(points[p.point].position, points[p.point].normal, clamped), p.weight);
+        if (open) sums[p.point].add(records_[p.record], points[p.point], p.weight, clamped);
     }
 }
 
-void IrradianceCache::askOthers(std::span<const FieldPoint> points, std::span<const std::uint32_t> which, std::span<Rgb> lux) const {
+void IrradianceCache::askOthers(std::span<const FieldPoint> points, std::span<const std::uint32_t> which, std::span<Rgb> lux,
+                                Part part) const {
     std::vector<FieldPoint> asked;
     for (const auto i : which) asked.push_back(points[i]);
     std::vector<Rgb> answers(asked.size());
-    if (coarser_) coarser_->indirect(asked, answers);
-    else askPaths(asked, answers);
+    if (coarser_) coarser_->look(asked, answers, part);
+    else askPaths(asked, answers, part);
     for (std::size_t i = 0; i < which.size(); ++i) lux[which[i]] = answers[i];
 }
 
-void IrradianceCache::askPaths(std::span<const FieldPoint> points, std::span<Rgb> lux) const {
+void IrradianceCache::askPaths(std::span<const FieldPoint> points, std::span<Rgb> lux, Part part) const {
     ReflectedLight reflected(scene_, settings_);
     for (const auto& point : points) {
         SamplePath numbers(hashOf(point.position), 0);
@@ -110,8 +123,12 @@ void IrradianceCache::askPaths(std::span<const FieldPoint> points, std::span<Rgb
         reflected.ask(direction, numbers);
     }
     const auto answers = reflected.trace();
-    for (std::size_t i = 0; i < answers.size(); ++i)  // a failed one is not a number: it rejects the sample that asked
-        lux[i] = answers[i].failed ? Rgb(std::numeric_limits<float>::quiet_NaN()) : answers[i].radiance * kPi + answers[i].mirrored;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        const auto& answer = answers[i];
+        if (part == Part::Gap) lux[i] = answer.lost * kPi;
+        else if (!hasGaps_ && !answer.lost.isBlack()) lux[i] = Rgb(std::numeric_limits<float>::quiet_NaN());  // nobody asks for gaps
+        else lux[i] = answer.radiance * kPi + answer.mirrored;
+    }
 }
 
 Result<std::unique_ptr<IrradianceCache>> makeIrradianceCache(const TransportScene& scene, const AlgorithmSettings& settings) {

@@ -27,6 +27,8 @@ public:
                     std::unique_ptr<const IrradianceCache> coarser = nullptr);
 
     void indirect(std::span<const FieldPoint> points, std::span<Rgb> lux) const override;
+    [[nodiscard]] bool hasGaps() const override { return hasGaps_; }
+    void gaps(std::span<const FieldPoint> points, std::span<Rgb> lux) const override;
 
     [[nodiscard]] std::size_t bytes() const { return records_.capacity() * sizeof(IrradianceRecord) + grid_.bytes() + (coarser_ ? coarser_->bytes() : 0); }
     [[nodiscard]] std::span<const IrradianceRecord> records() const { return records_; }
@@ -45,16 +47,19 @@ public:
 private:
     struct Pending;
     struct Sum;
+    enum class Part : std::uint8_t { Light, Gap };
+    void look(std::span<const FieldPoint> points, std::span<Rgb> lux, Part part) const;
     void takeRecords(std::uint32_t index, const FieldPoint& point, Sum& sum, std::vector<Pending>& pending, std::vector<Ray>& rays, std::uint64_t& clamped) const;
     void takeSeen(std::span<const FieldPoint> points, std::span<const Pending> pending, std::span<const Ray> rays, std::span<Sum> sums, std::uint64_t& clamped) const;
-    void askOthers(std::span<const FieldPoint> points, std::span<const std::uint32_t> which, std::span<Rgb> lux) const;
-    void askPaths(std::span<const FieldPoint> points, std::span<Rgb> lux) const;
+    void askOthers(std::span<const FieldPoint> points, std::span<const std::uint32_t> which, std::span<Rgb> lux, Part part) const;
+    void askPaths(std::span<const FieldPoint> points, std::span<Rgb> lux, Part part) const;
 
     TransportScene scene_;
     TracerSettings settings_;
     std::vector<IrradianceRecord> records_;
     CacheAccuracy accuracy_;
     RecordGrid grid_;
+    bool hasGaps_ = false;
     std::unique_ptr<const IrradianceCache> coarser_;
     mutable std::atomic<std::uint64_t> asked_{0}, unserved_{0}, clamped_{0};
 };

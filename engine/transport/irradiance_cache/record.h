@@ -20,6 +20,7 @@ struct IrradianceRecord {
     Vec3 geometricNormal{0, 0, 1};
     float distance = 0;             // mean to what surrounds it, clamped by its neighbours' [m]
     Rgb irradiance;                 // [lx]
+    Rgb gap;                        // the most that it may lack, as RadianceSample::lost [lx]
     ColourGradient rotation;        // [lx]
     ColourGradient translation;     // [lx/m]
     Horizon horizon;

@@ -41,13 +41,14 @@ std::vector<ReflectedLight::Answer> ReflectedLight::trace() {
         auto& answer = answers_[asked_[i]];
         answer.radiance = samples[i].direct + samples[i].indirect;
         answer.distance = samples[i].virtualDistance;
-        answer.failed = samples[i].failure != RayFailure::None;
+        answer.lost = samples[i].lost;
     }
     for (const auto& m : mirrored_) {
         auto& answer = answers_[m.asked];
-        answer.mirrored = m.lux * throughputByMirror(scene_, m.origin, m.path, counters_);
         answer.mirroredFrom = m.path.direction;
-        answer.failed = answer.failed || !isFinite(answer.mirrored);
+        const Rgb mirrored = m.lux * throughputByMirror(scene_, m.origin, m.path, counters_);
+        if (isFinite(mirrored)) answer.mirrored = mirrored;
+        else answer.lost += isFinite(m.lux) ? m.lux / kPi : Rgb(kInfinity);  // a mirror passes on all of it at most
     }
     return std::move(answers_);
 }

@@ -23,7 +23,7 @@ public:
         Rgb mirrored;               // one sample of all lamps in mirrors [lx]
         Vec3 mirroredFrom{0, 0, 1}; // where that sample came from, unit
         float distance = kInfinity; // to the first thing that is no flat mirror or pane [m]
-        bool failed = false;        // not to be averaged in
+        Rgb lost;                   // the most that may be missing of it all, as radiance; infinite: nothing is known of it
     };
 
     /// settings  how paths go on; a field where they may end

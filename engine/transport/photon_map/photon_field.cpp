@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace luxdeck {
 
@@ -35,7 +36,7 @@ void tell(const Progress* progress, const char* stage, double fraction) {
 /// Sums of what arrives on every element; merged in the order of the photons.
 class Shooting {
 public:
-    Shooting(const PhotonTracer& tracer, std::size_t elements, const Progress* progress) : tracer_(tracer), progress_(progress), sums_(elements) {}
+    Shooting(const PhotonTracer& tracer, std::size_t elements, const Progress* progress) : tracer_(tracer), progress_(progress), sums_(elements), lost_(elements) {}
 
     /// The first photons tell how many rays one takes, and that how many there are.
     ///
@@ -46,10 +47,14 @@ public:
         const auto photons = static_cast<std::uint32_t>(std::min(kPhotons, kRays / std::max(raysEach, 1.0)) * effort);
         if (photons > shot_)
             if (auto ok = follow(photons); !ok) return ok;
-        for (auto& s : sums_) s.power *= 1 / static_cast<float>(shot_);
+        for (auto* sums : {&sums_, &lost_})
+            for (auto& s : *sums) s.power *= 1 / static_cast<float>(shot_);
         return {};
     }
     [[nodiscard]] std::span<const ElementPhotons> sums() const { return sums_; }
+    /// The same of light that may be missing.
+    [[nodiscard]] std::span<const ElementPhotons> lost() const { return lost_; }
+    [[nodiscard]] bool unbounded() const { return unbounded_; }
     [[nodiscard]] const TransportCounters& counters() const { return counters_; }
 
 private:
@@ -71,12 +76,17 @@ private:
     }
     void add(const PhotonTracer::Arrived& arrived) {
         counters_ += arrived.counters;
-        for (const auto& d : arrived.deposits) sums_[d.element].power += d.power, ++sums_[d.element].count;
+        unbounded_ = unbounded_ || arrived.unbounded;
+        for (const auto& d : arrived.deposits) {
+            auto& sum = (d.lost ? lost_ : sums_)[d.element];
+            sum.power += d.power, ++sum.count;
+        }
     }
 
     const PhotonTracer& tracer_;
     const Progress* progress_;
-    std::vector<ElementPhotons> sums_;
+    std::vector<ElementPhotons> sums_, lost_;
+    bool unbounded_ = false;
     TransportCounters counters_;
     std::uint32_t shot_ = 0;
 };
@@ -110,14 +120,23 @@ Result<std::unique_ptr<PhotonField>> PhotonField::create(const TransportScene& s
     auto lux = densities(PhotonDensity(scene, elements, shooting.sums(), inDisc, settings.seed), elements.size(), settings.progress);
     if (!lux) return lux.error();
     field->lux_ = *std::move(lux);
+    if (shooting.unbounded()) field->gaps_.assign(elements.size(), Rgb(std::numeric_limits<float>::infinity()));
+    if (shooting.unbounded() || field->counters_.rejected == 0) return field;
+    auto gaps = densities(PhotonDensity(scene, elements, shooting.lost(), inDisc, settings.seed), elements.size(), settings.progress);
+    if (!gaps) return gaps.error();
+    field->gaps_ = *std::move(gaps);
     return field;
 }
 
-void PhotonField::indirect(std::span<const FieldPoint> points, std::span<Rgb> lux) const {
+void PhotonField::indirect(std::span<const FieldPoint> points, std::span<Rgb> lux) const { look(points, lux_, lux); }
+
+void PhotonField::gaps(std::span<const FieldPoint> points, std::span<Rgb> lux) const { look(points, gaps_, lux); }
+
+void PhotonField::look(std::span<const FieldPoint> points, std::span<const Rgb> of, std::span<Rgb> lux) const {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto& p = points[i];
         const auto element = elements_.at(p.mesh, p.triangle, p.u, p.v, p.frontFace);
-        lux[i] = element == SurfaceElements::kNone ? Rgb{} : lux_[element];
+        lux[i] = element == SurfaceElements::kNone || of.empty() ? Rgb{} : of[element];
     }
 }
 

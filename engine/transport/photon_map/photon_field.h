@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,18 +24,24 @@ public:
 
     void indirect(std::span<const FieldPoint> points, std::span<Rgb> lux) const override;
 
+    [[nodiscard]] bool hasGaps() const override { return !gaps_.empty(); }
+    void gaps(std::span<const FieldPoint> points, std::span<Rgb> lux) const override;
+
     /// paths: photons emitted; rejected, truncated: of them.
     [[nodiscard]] const TransportCounters& counters() const { return counters_; }
     [[nodiscard]] const SurfaceElements& elements() const { return elements_; }
     /// Indirect light of an element [lx].
     [[nodiscard]] const Rgb& lux(std::size_t element) const { return lux_[element]; }
-    [[nodiscard]] std::size_t bytes() const { return elements_.bytes() + lux_.size() * sizeof(Rgb); }
+    [[nodiscard]] std::size_t bytes() const { return elements_.bytes() + (lux_.size() + gaps_.size()) * sizeof(Rgb); }
 
 private:
     explicit PhotonField(SurfaceElements elements) : elements_(std::move(elements)) {}
 
+    void look(std::span<const FieldPoint> points, std::span<const Rgb> of, std::span<Rgb> lux) const;
+
     SurfaceElements elements_;
     std::vector<Rgb> lux_;   // by element
+    std::vector<Rgb> gaps_;  // by element: the most that lux_ may lack; empty: nothing
     TransportCounters counters_;
 };
 

@@ -3,6 +3,7 @@
 #include "engine/scene/appearance.h"
 #include "engine/transport/surface/bsdf.h"
 #include "engine/transport/surface/straight.h"
+#include "engine/transport/surface/valueless.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,8 +36,8 @@ PhotonTracer::Arrived PhotonTracer::trace(std::uint32_t first, std::uint32_t cou
         const auto emitted = emission_.emit(numbers);
         photon.random = RandomStream(streamSeed(seed_, first + i));
         photon.ray = emitted.ray, photon.power = emitted.power, photon.fromPoint = emitted.fromPoint;
-        if (!isFinite(photon.power)) reject(photon, arrived);
-        if (photon.power.isBlack()) photon.ended = true;
+        if (!isFinite(photon.power)) loseLight(photon, arrived);
+        else if (photon.power.isBlack()) photon.ended = true;
         if (scene_.needs.dielectrics && !photon.ended) photon.media = media.at(photon.ray.origin, arrived.counters);
     }
     arrived.counters.paths = count;
@@ -54,13 +55,20 @@ PhotonTracer::Arrived PhotonTracer::trace(std::uint32_t first, std::uint32_t cou
     }
 }
 
-void PhotonTracer::reject(Photon& photon, Arrived& arrived) {
-    photon.ended = true;
+/// The light goes on as from the whitest surface, to tell how much may be missing; what arrived before stays.
+void PhotonTracer::loseSight(Photon& photon, SurfacePoint& point, Arrived& arrived) {
+    if (!photon.lost) ++arrived.counters.rejected;
+    photon.lost = true;
+    point.material = &valuelessMaterial();
+}
+
+void PhotonTracer::loseLight(Photon& photon, Arrived& arrived) {
+    photon.ended = arrived.unbounded = true;
     ++arrived.counters.rejected;
 }
 
 void PhotonTracer::meet(Photon& photon, const Hit& hit, Arrived& arrived) const {
-    if (hit.badRay) return reject(photon, arrived);
+    if (hit.badRay) return loseLight(photon, arrived);
     if (!hit.surface()) {
         photon.ended = true;
         return;
@@ -74,7 +82,7 @@ void PhotonTracer::meet(Photon& photon, const Hit& hit, Arrived& arrived) const 
     if (scene_.needs.dielectrics && !photon.media.inAir()) photon.power *= photon.media.transmittance(hit.distance);
     if (scene_.needs.patterns && point.material->kind == MaterialKind::Mix) {
         point.material = meetMaterial(scene_.scene, point, next1D(photon));
-        if (point.material == nullptr) return reject(photon, arrived);
+        if (point.material == nullptr) loseSight(photon, point, arrived);
     }
     if (scene_.needs.alpha && point.material->hasHoles() && next1D(photon) >= coverage(scene_.scene, *point.material, point.uv))
         return goOn(point, photon.ray.direction, photon.ray);
@@ -84,7 +92,7 @@ void PhotonTracer::meet(Photon& photon, const Hit& hit, Arrived& arrived) const 
 
 void PhotonTracer::deposit(const Photon& photon, const Hit& hit, const SurfacePoint& point, Arrived& arrived) const {
     const auto element = elements_.at(hit.mesh, hit.triangle, hit.u, hit.v, point.frontFace);
-    if (element != SurfaceElements::kNone) arrived.deposits.push_back({element, photon.power * arrivalFactor(point, photon.ray.direction)});
+    if (element != SurfaceElements::kNone) arrived.deposits.push_back({element, photon.power * arrivalFactor(point, photon.ray.direction), photon.lost});
 }
 
 /// By the density that radiance is sampled with, the surfaces being reciprocal; only what an interpolated normal and a
@@ -93,7 +101,11 @@ void PhotonTracer::scatter(Photon& photon, const Hit& hit, const SurfacePoint& p
     const bool boundary = point.material->kind == MaterialKind::Dielectric;
     const float around = boundary ? (point.frontFace ? photon.media.ior() : photon.media.iorAround(*point.material)) : 1.0F;
     const Bsdf<Rgb> bsdf(scene_.scene, scene_.needs, point, around);
-    if (!bsdf.valid()) return reject(photon, arrived);
+    if (!bsdf.valid()) {
+        auto white = point;
+        loseSight(photon, white, arrived);
+        return scatter(photon, hit, white, arrived);
+    }
     const auto frame = scene_.needs.glossy ? surfaceFrame(scene_.scene, point, hit) : Frame::about(point.shadingNormal);
     const Vec3 wo = frame.toLocal(-photon.ray.direction);
     const float uLobe = scene_.needs.glossy ? next1D(photon) : 0;

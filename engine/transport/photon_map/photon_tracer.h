@@ -16,6 +16,7 @@ namespace luxdeck {
 struct Deposit {
     std::uint32_t element = 0;
     Rgb power;                    // [lm], to be divided by the number emitted
+    bool lost = false;            // beyond a surface without a value: it may be missing
 };
 
 /// Follows photons from their sources through the scene by the materials' own scattering, and notes what arrives on
@@ -30,6 +31,7 @@ public:
     struct Arrived {
         std::vector<Deposit> deposits;
         TransportCounters counters;   // rejected: photons that met a pattern without a value
+        bool unbounded = false;       // a light itself has no value: anything may be missing
     };
     /// Photons first .. first + count - 1.
     [[nodiscard]] Arrived trace(std::uint32_t first, std::uint32_t count) const;
@@ -44,12 +46,14 @@ private:
         bool reflected = false;
         bool bent = false;            // refracted, of a luminaire without extent
         bool fromPoint = false;
+        bool lost = false;            // it met a surface without a value
         bool ended = false;
     };
     void meet(Photon& photon, const Hit& hit, Arrived& arrived) const;
     void scatter(Photon& photon, const Hit& hit, const SurfacePoint& point, Arrived& arrived) const;
     void deposit(const Photon& photon, const Hit& hit, const SurfacePoint& point, Arrived& arrived) const;
-    static void reject(Photon& photon, Arrived& arrived);
+    static void loseSight(Photon& photon, SurfacePoint& point, Arrived& arrived);
+    static void loseLight(Photon& photon, Arrived& arrived);
     static float next1D(Photon& photon) { return static_cast<float>(photon.random.next64() >> 40) * 0x1.0p-24F; }
 
     const TransportScene& scene_;

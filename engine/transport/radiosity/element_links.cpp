@@ -28,7 +28,7 @@ public:
 /// Sensors of one element, what they found and where their paths ended.
 struct LinkGatherer::Batch {
     std::vector<SensorSample> samples;
-    std::vector<FieldLink> links;  // of good samples, in their order
+    std::vector<FieldLink> links;  // in the samples' order
 };
 
 LinkGatherer::Batch LinkGatherer::trace(std::vector<SensorQuery> queries) const {
@@ -38,7 +38,6 @@ LinkGatherer::Batch LinkGatherer::trace(std::vector<SensorQuery> queries) const 
     TracerSettings tracer;
     tracer.maxVertices = settings_.maxVertices, tracer.field = &dark, tracer.links = &batch.links;
     gatherIlluminance(scene_, tracer, queries, batch.samples);
-    std::erase_if(batch.links, [&](const FieldLink& link) { return batch.samples[link.query].failure != RayFailure::None; });
     std::stable_sort(batch.links.begin(), batch.links.end(), [](const FieldLink& a, const FieldLink& b) { return a.query < b.query; });
     return batch;
 }
@@ -81,14 +80,11 @@ void LinkGatherer::lookAt(std::uint32_t element, ElementLook& look, std::vector<
     }
     const auto batch = trace(std::move(queries));
     std::array<bool, kLookPlaces> lit{};
-    std::uint32_t good = 0;
     for (std::uint32_t i = 0; i < kLookSamples; ++i) {
         const auto& sample = batch.samples[i];
-        if (sample.failure != RayFailure::None) continue;
-        ++good, look.straight += sample.direct;
-        if (!sample.total().isBlack()) lit[i / kFromOnePlace] = true;
+        look.straight += sample.direct * (1.0F / kLookSamples);
+        if (!(sample.total() + sample.lost).isBlack()) lit[i / kFromOnePlace] = true;
     }
-    if (good > 0) look.straight *= 1 / static_cast<float>(good);
     look.open = static_cast<float>(std::count(lit.begin(), lit.end(), true)) / kLookPlaces;
     for (const auto& link : batch.links)
         if (lit[link.query / kFromOnePlace]) met.push_back(link.point);
@@ -120,34 +116,39 @@ void LinkGatherer::gatherAt(std::uint32_t element, const ElementLook& look, std:
     }
     const auto batch = trace(std::move(queries));
     for (const auto& sample : batch.samples) {
-        if (sample.failure != RayFailure::None) ++light.rejected;
-        else ++light.samples, light.straight += sample.direct, light.reflected += sample.indirect;
+        light.rejected += sample.failure != RayFailure::None ? 1 : 0;
+        ++light.samples, light.straight += sample.direct, light.reflected += sample.indirect, light.lost += sample.lost;
     }
     for (const auto& link : batch.links) {
         const auto& p = link.point;
         const auto to = elements_.at(p.mesh, p.triangle, p.u, p.v, p.frontFace);
         if (to == SurfaceElements::kNone) continue;
-        ++light.linked;
-        light.links.push_back({to, link.weight * kPi});
+        if (!link.lost) ++light.linked;
+        (link.lost ? light.lostLinks : light.links).push_back({to, link.weight * kPi});
     }
 }
 
 void dropStrayLight(const SurfaceElements& elements, std::span<ElementLight> lights) {
     ElementGroups groups(lights.size());
     for (std::uint32_t e = 0; e < lights.size(); ++e)
-        for (const auto& link : lights[e].links) groups.join(e, link.to);
+        for (const auto* links : {&lights[e].links, &lights[e].lostLinks})
+            for (const auto& link : *links) groups.join(e, link.to);
     std::vector<double> light(lights.size()), area(lights.size());
     for (std::uint32_t e = 0; e < lights.size(); ++e) {
         const double m2 = elements.areaM2(e);
         area[groups.of(e)] += m2;
-        if (lights[e].samples > 0) light[groups.of(e)] += m2 * double{lights[e].mean(lights[e].straight + lights[e].reflected).max()};
+        const auto& own = lights[e];
+        const Rgb found = own.straight + own.reflected + (isFinite(own.lost) ? own.lost : Rgb{});
+        if (own.samples > 0) light[groups.of(e)] += m2 * double{own.mean(found).max()};
     }
     double most = 0;
     for (std::uint32_t e = 0; e < lights.size(); ++e)
         if (light[e] > 0) most = std::max(most, light[e] / area[e]);
     for (std::uint32_t e = 0; e < lights.size(); ++e) {
         const auto group = groups.of(e);
-        if (light[group] <= kDark * most * area[group]) lights[e].straight = lights[e].reflected = Rgb{};
+        if (light[group] > kDark * most * area[group]) continue;
+        lights[e].straight = lights[e].reflected = Rgb{};
+        if (isFinite(lights[e].lost)) lights[e].lost = Rgb{};  // else nothing is known: that is no stray light
     }
 }
 

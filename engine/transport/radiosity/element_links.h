@@ -21,10 +21,12 @@ struct ElementPlace {
 struct ElementLight {
     Rgb straight;                    // without a reflection [lx]
     Rgb reflected;                   // reflected once, or by what is not matte [lx]
+    Rgb lost;                        // the most that `reflected` may lack [lx]
     std::vector<ElementLink> links;  // for all that was reflected more often
+    std::vector<ElementLink> lostLinks;  // likewise of what may be lacking
     std::uint32_t linked = 0;        // samples that met a matte surface
-    std::uint32_t samples = 0;       // good ones
-    std::uint32_t rejected = 0;
+    std::uint32_t samples = 0;
+    std::uint32_t rejected = 0;      // of which a part is missing
 
     [[nodiscard]] Rgb mean(const Rgb& sum) const { return sum / static_cast<float>(samples); }
 };

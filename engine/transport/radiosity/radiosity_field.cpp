@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -97,30 +98,57 @@ Result<std::unique_ptr<RadiosityField>> RadiosityField::create(const TransportSc
     const double remaining = field->balance_.remaining;
     field->balance_ = balanceOf(scene, field->elements_, *looks, *lights, field->lux_);
     field->balance_.remaining = remaining;
-    for (std::size_t e = 0; e < lights->size(); ++e) {
-        field->rejected_ += (*lights)[e].rejected;
-        if ((*lights)[e].samples == 0 && (*lights)[e].rejected > 0) field->lux_[e] = Rgb(std::numeric_limits<float>::quiet_NaN());
-    }
+    for (const auto& light : *lights) field->rejected_ += light.rejected;
     return field;
 }
 
-Result<void> RadiosityField::solve(std::vector<ElementLight>& lights) {
-    const auto constant = takeMeans(lights);
+Result<double> RadiosityField::solveFor(const std::vector<Rgb>& constant, std::span<const std::vector<ElementLink>> rows,
+                                        std::vector<Rgb>& lux) const {
     std::vector<float> areas(elements_.size());
     for (std::size_t e = 0; e < areas.size(); ++e) areas[e] = elements_.areaM2(e);
-    lux_.resize(elements_.size());
-    const double left = LinkMatrix(takeLinks(lights)).solve(constant, areas, lux_);
-    if (!(left <= LinkMatrix::kEnough))
-        return Error{ErrorCode::Internal, fmt::format("radiosity does not converge: {:.2g} of the light is left, expected {:.2g}", left, LinkMatrix::kEnough)};
-    for (std::size_t e = 0; e < areas.size(); ++e) balance_.remaining += left * double{areas[e]} * double{lux_[e].max()};
+    lux.resize(elements_.size());
+    const double left = LinkMatrix(rows).solve(constant, areas, lux);
+    if (left <= LinkMatrix::kEnough) return left;
+    return Error{ErrorCode::Internal, fmt::format("radiosity does not converge: {:.2g} of the light is left, expected {:.2g}", left, LinkMatrix::kEnough)};
+}
+
+/// Twice where something had no value: with what was found, and with the most that may be. The equations are linear in no
+/// one element's gap, since gaps see each other: so both are solved and their difference taken.
+Result<void> RadiosityField::solve(std::vector<ElementLight>& lights) {
+    const auto constant = takeMeans(lights);
+    auto rows = takeLinks(lights);
+    const auto left = solveFor(constant, rows, lux_);
+    if (!left) return left.error();
+    for (std::size_t e = 0; e < lux_.size(); ++e) balance_.remaining += *left * double{elements_.areaM2(e)} * double{lux_[e].max()};
+    if (std::ranges::none_of(lights, [](const auto& light) { return light.rejected > 0; })) return {};
+    std::vector<Rgb> most = constant;
+    for (std::size_t e = 0; e < lights.size(); ++e) {
+        const auto& light = lights[e];
+        if (light.samples == 0) continue;
+        if (!isFinite(light.lost)) {  // of a lamp: anything, and everywhere by way of reflections
+            gaps_.assign(lux_.size(), Rgb(std::numeric_limits<float>::infinity()));
+            return {};
+        }
+        most[e] += light.mean(light.lost);
+        for (const auto& link : light.lostLinks) rows[e].push_back({link.to, light.mean(link.weight)});
+    }
+    if (const auto solved = solveFor(most, rows, gaps_); !solved) return solved.error();
+    for (std::size_t e = 0; e < lux_.size(); ++e) {
+        const Rgb more = gaps_[e] - lux_[e];
+        gaps_[e] = {std::max(more.r, 0.0F), std::max(more.g, 0.0F), std::max(more.b, 0.0F)};
+    }
     return {};
 }
 
-void RadiosityField::indirect(std::span<const FieldPoint> points, std::span<Rgb> lux) const {
+void RadiosityField::indirect(std::span<const FieldPoint> points, std::span<Rgb> lux) const { look(points, lux_, lux); }
+
+void RadiosityField::gaps(std::span<const FieldPoint> points, std::span<Rgb> lux) const { look(points, gaps_, lux); }
+
+void RadiosityField::look(std::span<const FieldPoint> points, std::span<const Rgb> of, std::span<Rgb> lux) const {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto& p = points[i];
         const auto element = elements_.at(p.mesh, p.triangle, p.u, p.v, p.frontFace);
-        lux[i] = element == SurfaceElements::kNone ? Rgb{} : lux_[element];
+        lux[i] = element == SurfaceElements::kNone || of.empty() ? Rgb{} : of[element];
     }
 }
 

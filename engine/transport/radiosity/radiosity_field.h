@@ -34,17 +34,22 @@ public:
 
     [[nodiscard]] const SurfaceElements& elements() const { return elements_; }
     [[nodiscard]] const RadiosityBalance& balance() const { return balance_; }
-    /// Samples that were rejected while it was made.
+    [[nodiscard]] bool hasGaps() const override { return !gaps_.empty(); }
+    void gaps(std::span<const FieldPoint> points, std::span<Rgb> lux) const override;
+    /// Samples of which a part is missing, of those that it was made from.
     [[nodiscard]] std::uint64_t rejected() const { return rejected_; }
-    [[nodiscard]] std::size_t bytes() const { return elements_.bytes() + lux_.size() * sizeof(Rgb); }
+    [[nodiscard]] std::size_t bytes() const { return elements_.bytes() + (lux_.size() + gaps_.size()) * sizeof(Rgb); }
 
 private:
     explicit RadiosityField(SurfaceElements elements) : elements_(std::move(elements)) {}
 
     Result<void> solve(std::vector<ElementLight>& lights);
+    Result<double> solveFor(const std::vector<Rgb>& constant, std::span<const std::vector<ElementLink>> rows, std::vector<Rgb>& lux) const;
+    void look(std::span<const FieldPoint> points, std::span<const Rgb> of, std::span<Rgb> lux) const;
 
     SurfaceElements elements_;
-    std::vector<Rgb> lux_;   // by element; NaN: nothing is known
+    std::vector<Rgb> lux_;   // by element
+    std::vector<Rgb> gaps_;  // by element: the most that lux_ may lack; empty: nothing
     RadiosityBalance balance_;
     std::uint64_t rejected_ = 0;
 };

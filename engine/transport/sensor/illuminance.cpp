@@ -92,6 +92,10 @@ private:
     void traceMirrored(std::span<SensorSample> samples, std::vector<SourceShare>* shares, TransportCounters& counters) {
         for (const auto& m : mirrored_) {
             const Rgb contribution = m.light * throughputByMirror(scene_, m.origin, m.path, counters);
+            if (!isFinite(contribution)) {
+                lose(samples[m.index], m.light);
+                continue;
+            }
             samples[m.index].indirect += contribution;
             if (shares != nullptr && !contribution.isBlack()) shares->push_back({contribution, m.index, m.path.light.source, false});
         }
@@ -107,9 +111,19 @@ private:
             if (scene_.needs.transmission) contribution *= paneTransmittance(scene_, rays_[i], counters);
             if (scene_.needs.dielectrics)  // a sensor inside a solid, and a light in the same
                 contribution *= media_.at(rays_[i].origin, counters).transmittance(rays_[i].tMax / (1 - kShadowShortening));
+            if (!isFinite(contribution)) {
+                lose(samples[contributions_[i].index], contributions_[i].light);
+                continue;
+            }
             samples[contributions_[i].index].direct += contribution;
             if (shares != nullptr) shares->push_back({contribution, contributions_[i].index, contributions_[i].source, true});
         }
+    }
+
+    /// What stands in the way, or the light itself, has no value: at most all of the light is missing.
+    static void lose(SensorSample& sample, const Rgb& most) {
+        sample.failure = RayFailure::NotFinite;
+        sample.lost += isFinite(most) ? most : Rgb(kInfinity);
     }
 
     struct Contribution {
@@ -144,6 +158,9 @@ RadianceQuery directionQuery(const SensorQuery& query, const Receiver& at, const
     out.origin = at;
     return out;
 }
+
+/// Nothing is known of what is missing.
+const Rgb kUnbounded(std::numeric_limits<float>::infinity());
 
 bool isGood(const SensorQuery& query) { return isFinite(query.position) && isFinite(query.normal); }
 
@@ -184,17 +201,19 @@ TransportCounters gatherIlluminance(const TransportScene& scene, const TracerSet
         shareReflectedLight(scene, queries, bounces, reflected, samples, counters);
     }
     for (std::size_t i = firstOfPaths; shares != nullptr && i < shares->size(); ++i) (*shares)[i].light *= kPi;
+    counters.rejected = 0;  // of sensors: what failed on the way to a light counts as well
     for (std::size_t i = 0; i < queries.size(); ++i) {
         auto& sample = samples[i];
         sample.direct += radiances[i].emitted * kPi;  // weight over density is pi for both kinds
         if (!sensors.share) sample.indirect += (radiances[i].direct + radiances[i].indirect) * kPi;
         sample.sawBackFace = radiances[i].backFace;
-        sample.failure = radiances[i].failure;
-        if (sample.failure == RayFailure::None && !isFinite(sample.total())) sample.failure = RayFailure::NotFinite;
-        if (sample.failure != RayFailure::None) sample.direct = sample.indirect = Rgb{};
+        sample.lost += radiances[i].lost * kPi;
+        sample.lostAt = radiances[i].lostAt;
+        if (radiances[i].failure != RayFailure::None) sample.failure = radiances[i].failure;
+        for (auto* part : {&sample.direct, &sample.indirect})
+            if (!isFinite(*part)) sample.failure = RayFailure::NotFinite, sample.lost = kUnbounded, *part = Rgb{};
+        if (sample.failure != RayFailure::None) ++counters.rejected;
     }
-    if (shares != nullptr)
-        std::erase_if(*shares, [&](const SourceShare& s) { return samples[s.query].failure != RayFailure::None; });
     return counters;
 }
 

@@ -56,7 +56,8 @@ private:
             ++counters.rays;
         }
         const auto passage = blocked != 0 ? Passage{Rgb{}, 0} : passageThroughPanes(scene_, rays_[r], counters);
-        weights_[pairs_[r]] *= passage.chance;
+        // Where a pane has no value the sensor's own paths are lost, and it takes no part in sharing.
+        weights_[pairs_[r]] *= passage.chance > 0 ? passage.chance : 0.0F;
         if (passage.chance > 0) passed_[pairs_[r]] = passage.transmittance * (1 / passage.chance);
     }
 

@@ -3,6 +3,7 @@
 #include "engine/core/rgb.h"
 #include "engine/core/vec.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -24,6 +25,7 @@ struct FieldLink {
     FieldPoint point;
     Rgb weight;                // [cd/m^2 for each lx]
     std::uint32_t query = 0;   // index into the batch
+    bool lost = false;         // of a path beyond a surface without a value: a part of RadianceSample::lost
 };
 
 /// Light on surfaces that was found before: what the cached algorithms (photon map, radiosity, irradiance cache,
@@ -34,6 +36,13 @@ public:
     /// lux[i] becomes the indirect irradiance at points[i], reflected once or more, mirrors included [lx]; a value that
     /// is not finite rejects the sample. Both #P.
     virtual void indirect(std::span<const FieldPoint> points, std::span<Rgb> lux) const = 0;
+    /// Something without a value was met while it was made: its light lacks what came from there.
+    [[nodiscard]] virtual bool hasGaps() const { return false; }
+    /// lux[i] becomes the most that indirect() may lack at points[i], as RadianceSample::lost; infinite: nothing is known.
+    /// Both #P; zero without gaps.
+    virtual void gaps(std::span<const FieldPoint> points, std::span<Rgb> lux) const {
+        for (std::size_t i = 0; i < points.size(); ++i) lux[i] = Rgb{};
+    }
 };
 
 }  // namespace luxdeck

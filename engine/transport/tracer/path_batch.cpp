@@ -17,10 +17,6 @@ namespace {
 /// Of the matte vertices, those that look for lights in mirrors.
 constexpr float kMirrorShare = 0.25F;
 
-RayFailure failureOf(const Rgb& c, bool mayBeNegative) {
-    return !isFinite(c) ? RayFailure::NotFinite : c.min() < 0 && !mayBeNegative ? RayFailure::Negative : RayFailure::None;
-}
-
 }  // namespace
 
 template <Spectrum S>
@@ -96,7 +92,7 @@ void PathBatch<S>::shade(std::size_t i) {
     auto& path = paths_[i];
     const auto& hit = hits_[i];
     if (hit.badRay) {
-        samples_[path.query].failure = RayFailure::BadRay;
+        fail(path.query, RayFailure::BadRay, Rgb(kInfinity));
         path.ended = true;
         return;
     }
@@ -116,7 +112,7 @@ template <Spectrum S>
 bool PathBatch<S>::meets(Path& path, const Hit& hit, SurfacePoint& point) {
     if (scene_.needs.patterns && point.material->kind == MaterialKind::Mix) {
         point.material = meetMaterial(scene_.scene, point, path.numbers.next1D());
-        if (point.material == nullptr) return fail(path);
+        if (point.material == nullptr) loseSight(path, hit, point);
     }
     if (!scene_.needs.alpha || !point.material->hasHoles()) return true;
     if (path.numbers.next1D() < coverage(scene_.scene, *point.material, point.uv)) return true;
@@ -138,8 +134,9 @@ void PathBatch<S>::shadeMet(Path& path, const Hit& hit, const SurfacePoint& poin
     const auto& needs = scene_.needs;
     const Bsdf<S> bsdf(scene_.scene, needs, point, needs.dielectrics ? surroundingIor(path, point) : 1.0F);
     if (!bsdf.valid()) {
-        fail(path);
-        return;
+        auto white = point;
+        loseSight(path, hit, white);
+        return shadeMet(path, hit, white);
     }
     recordVirtual(path, hit.distance, bsdf.keepsImages());
     if (last && !bsdf.letsThrough()) path.ended = true;
@@ -147,14 +144,6 @@ void PathBatch<S>::shadeMet(Path& path, const Hit& hit, const SurfacePoint& poin
     else if (point.material->kind == MaterialKind::Dielectric) scatterBoundary(path, point, bsdf);
     else scatterSpecular(path, hit, point, bsdf);
     if (path.reflections > path.mostReflections) path.ended = true;
-}
-
-/// A pattern has no value here: the sample is counted as rejected.
-template <Spectrum S>
-bool PathBatch<S>::fail(Path& path) {
-    samples_[path.query].failure = RayFailure::NotFinite;
-    path.ended = true;
-    return false;
 }
 
 template <Spectrum S>
@@ -190,43 +179,6 @@ void PathBatch<S>::recordVirtual(Path& path, float distance, bool specular) {
     if (specular) return;
     samples_[path.query].virtualDistance = path.travelled;
     path.virtualOpen = false;
-}
-
-template <Spectrum S>
-void PathBatch<S>::seeSky(Path& path) {
-    path.ended = true;
-    if (!scene_.needs.sky) return;
-    const Rgb radiance = skyRadiance(scene_, path.from, path.ray.direction, path.pdfSolidAngle);
-    add(path, kFromSky, throughputAfter(path, kInfinity) * fromRgb<S>(radiance));
-}
-
-template <Spectrum S>
-void PathBatch<S>::seeOpening(const Path& path, const Hit& hit) {
-    const auto& opening = scene_.lights.opening(hit.luminaire);
-    const auto met = opening.intersect(path.ray.origin, path.ray.direction, 0, kInfinity);
-    if (path.mirror != kNoMirror && foundByMirror(scene_, path.from, path.mirror, hit, path.ray.direction)) return;
-    // The far side of a closed body faces away: what it emits there does not come this way.
-    if (!met || (!opening.flat() && (dot(met->normal, path.ray.direction) >= 0 || met->distance < 0.999F * hit.distance)))
-        return;
-    const float pdf = path.pdfSolidAngle > 0
-                          ? lampChance(scene_, path.from) * scene_.lights.pdfOpening(path.from, hit.luminaire, path.ray.direction)
-                          : 0;
-    const S radiance = fromRgb<S>(scene_.lights.openingRadiance(hit.luminaire, -path.ray.direction));
-    add(path, hit.luminaire, throughputAfter(path, hit.distance) * radiance * weightOfDirection(path, pdf));
-}
-
-template <Spectrum S>
-void PathBatch<S>::seeSurface(const Path& path, const Hit& hit, const SurfacePoint& point) {
-    if (!scene_.needs.meshLights) return;
-    const Rgb emitted = emittedRadiance(scene_.scene, point);
-    if (emitted.isBlack()) return;
-    const float cosine = -dot(point.geometricNormal, path.ray.direction);
-    const float distance = (point.position - path.from.position).length();
-    if (path.mirror != kNoMirror && foundByMirror(scene_, path.from, path.mirror, hit, cosine, distance)) return;
-    const float pdf = path.pdfSolidAngle > 0
-                          ? lampChance(scene_, path.from) * scene_.lights.pdfTriangle(path.from, hit.mesh, hit.triangle, distance, cosine)
-                          : 0;
-    add(path, kFromSurfaces, path.throughput * fromRgb<S>(emitted) * weightOfDirection(path, pdf));
 }
 
 template <Spectrum S>
@@ -276,7 +228,7 @@ void PathBatch<S>::scatterBoundary(Path& path, const SurfacePoint& point, const 
 /// No pattern, which may change with the direction, decides what the surface is, and no medium dims it by distance.
 template <Spectrum S>
 bool PathBatch<S>::looksAlike(const Path& path, const Hit& hit, const SurfacePoint& point) const {
-    if (scene_.needs.dielectrics && !media_[path.query].inAir()) return false;
+    if (path.lost || (scene_.needs.dielectrics && !media_[path.query].inAir())) return false;
     const auto& ofMesh = scene_.scene.materials[scene_.scene.meshes[hit.mesh].material];  // another than the point's in a mixture
     return !scene_.needs.patterns || (point.material->reflectancePattern < 0 && point.material == &ofMesh);
 }
@@ -310,7 +262,7 @@ void PathBatch<S>::scatterRough(Path& path, const Hit& hit, const SurfacePoint& 
         if (path.ended) return;
     }
     if (!last && !settings_.ambientRadiance.isBlack())
-        add(path.query, 2, kFromAmbient, path.throughput * bsdf.albedo(wo.z) * fromRgb<S>(settings_.ambientRadiance), S(0.0F));
+        add(path.query, countedAs(path, 2), kFromAmbient, path.throughput * bsdf.albedo(wo.z) * fromRgb<S>(settings_.ambientRadiance), S(0.0F));
     const bool asks = !last && settings_.field != nullptr && path.reflections >= settings_.fieldAfter && point.material->kind == MaterialKind::Matte;
     if (asks) askField(path, hit, point, here, bsdf.albedo(wo.z), 1), path.mostReflections = path.reflections + 1;
     if (!last) connectLight(path, here, point, frame, wo, bsdf);
@@ -335,15 +287,9 @@ void PathBatch<S>::connectByMirror(Path& path, const Receiver& here, const Surfa
     if (!found || dot(found->direction, point.geometricNormal) <= 0) return;
     const auto value = bsdf.evaluate(wo, frame.toLocal(found->direction));
     const S contribution = path.throughput * value.cosineWeighted * fromRgb<S>(found->light.weight) * (1 / (kMirrorShare * choice.probability));
-    if (!contribution.isBlack()) mirrored_.push_back({*found, contribution, here.position, path.query, path.reflections + 2,
-                                                       diffusePart(path, value.diffuse, value.cosineWeighted)});
-}
-
-template <Spectrum S>
-void PathBatch<S>::traceMirrored() {
-    for (const auto& m : mirrored_)
-        add(m.query, m.reflections, m.path.light.source, m.contribution * fromRgb<S>(throughputByMirror(scene_, m.origin, m.path, counters_)), m.diffuse);
-    mirrored_.clear();
+    if (!contribution.isBlack())
+        mirrored_.push_back({*found, contribution, here.position, path.query, countedAs(path, path.reflections + 2),
+                             diffusePart(path, value.diffuse, value.cosineWeighted)});
 }
 
 template <Spectrum S>
@@ -361,7 +307,7 @@ void PathBatch<S>::connectLight(Path& path, const Receiver& here, const SurfaceP
     S contribution = throughputAfter(path, light.distance) * value.cosineWeighted * fromRgb<S>(light.weight);
     if (light.shared) contribution *= light.pdfSolidAngle / (light.pdfSolidAngle + value.pdf);
     if (contribution.isBlack()) return;
-    shadows_.push_back({contribution, path.query, path.reflections + 1, light.source,
+    shadows_.push_back({contribution, path.query, countedAs(path, path.reflections + 1), light.source,
                         diffusePart(path, value.diffuse, value.cosineWeighted)});
     const Vec3 origin = height > 0 ? here.position : point.departure(light.direction);
     shadowRays_.push_back({origin, 0, light.direction, light.distance * (1 - kShadowShortening)});
@@ -415,28 +361,6 @@ void PathBatch<S>::truncate(Path& path) {
     counters_.truncatedWeight += path.throughput.max();
 }
 
-template <Spectrum S>
-void PathBatch<S>::traceShadows() {
-    shadowed_.resize(shadowRays_.size());
-    scene_.raycaster.occluded(shadowRays_, shadowed_, Targets::Opaque);
-    counters_.rays += shadowRays_.size();
-    for (std::size_t i = 0; i < shadows_.size(); ++i) {
-        if (shadowed_[i] != 0) continue;
-        S contribution = shadows_[i].contribution;
-        if (scene_.needs.transmission)
-            contribution *= fromRgb<S>(paneTransmittance(scene_, shadowRays_[i], counters_));
-        add(shadows_[i].query, shadows_[i].reflections, shadows_[i].source, contribution, shadows_[i].diffuse);
-    }
-    shadows_.clear();
-    shadowRays_.clear();
-}
-
-template <Spectrum S>
-void PathBatch<S>::askField(const Path& path, const Hit& hit, const SurfacePoint& point, const Receiver& here, const S& albedo, float factor) {
-    fieldPoints_.push_back({here.position, point.shadingNormal, point.geometricNormal, hit.mesh, hit.triangle, hit.u, hit.v, point.frontFace});
-    fromField_.push_back({path.throughput * albedo * (factor / kPi), path.query, path.reflections + 2, diffusePart(path, S(1.0F), S(1.0F))});
-}
-
 /// The field's word is a control variate: what it adds to the paths that go on and to those that do not is zero in the mean.
 template <Spectrum S>
 bool PathBatch<S>::goesBeyondControl(Path& path, const Hit& hit, const SurfacePoint& point, const Receiver& here, const S& albedo) {
@@ -450,46 +374,26 @@ bool PathBatch<S>::goesBeyondControl(Path& path, const Hit& hit, const SurfacePo
 }
 
 template <Spectrum S>
-void PathBatch<S>::takeFromField() {
-    if (fieldPoints_.empty()) return;
-    fieldLux_.resize(fieldPoints_.size());
-    (settings_.control != nullptr ? settings_.control : settings_.field)->indirect(fieldPoints_, fieldLux_);
-    for (auto& lux : fieldLux_)
-        if (settings_.control != nullptr && !isFinite(lux)) lux = Rgb{};  // no word, to those that go on as to the others
-    for (std::size_t i = 0; i < fieldPoints_.size(); ++i) {
-        const auto& from = fromField_[i];
-        add(from.query, from.reflections, kFromAmbient, from.weight * fromRgb<S>(fieldLux_[i]), from.diffuse);
-        if (settings_.links != nullptr) settings_.links->push_back({fieldPoints_[i], toRgb(from.weight), from.query});
-    }
-    fieldPoints_.clear();
-    fromField_.clear();
-}
-
-template <Spectrum S>
 void PathBatch<S>::removeEnded() {
     std::erase_if(paths_, [](const Path& path) { return path.ended; });
 }
 
 template <Spectrum S>
-void PathBatch<S>::add(std::uint32_t query, int reflections, LightSource source, const S& radiance, const S& diffuse) {
-    auto& sample = samples_[query];
-    if (reflections > 0 && !settings_.bounces.empty()) settings_.bounces[query].diffuse += toRgb(radiance * diffuse);
-    (reflections == 0 ? sample.emitted : reflections == 1 ? sample.direct : sample.indirect) += toRgb(radiance);
-    if (settings_.shares != nullptr) settings_.shares->push_back({toRgb(radiance), query, source, reflections == 0});
-}
-
-template <Spectrum S>
 TransportCounters PathBatch<S>::finish() {
-    for (auto& sample : samples_) {
-        auto& failure = sample.failure;
-        for (const auto* part : {&sample.emitted, &sample.direct, &sample.indirect})
-            if (failure == RayFailure::None) failure = failureOf(*part, settings_.control != nullptr && part == &sample.indirect);
-        if (failure == RayFailure::None) continue;
-        sample.emitted = sample.direct = sample.indirect = Rgb{};
-        ++counters_.rejected;
+    for (std::uint32_t query = 0; query < samples_.size(); ++query) {
+        auto& sample = samples_[query];
+        for (auto* part : {&sample.emitted, &sample.direct, &sample.indirect}) {
+            if (isFinite(*part)) continue;  // finite contributions may still add up to more than a float holds
+            fail(query, RayFailure::NotFinite, Rgb(kInfinity));
+            *part = Rgb{};
+        }
+        if (sample.failure != RayFailure::None) ++counters_.rejected;
     }
     return counters_;
 }
+
+template Rgb PathBatch<Rgb>::diffusePart(const Path&, const Rgb&, const Rgb&) const;
+template Grey PathBatch<Grey>::diffusePart(const Path&, const Grey&, const Grey&) const;
 
 TransportCounters tracePaths(const TransportScene& scene, const TracerSettings& settings,
                              std::span<const RadianceQuery> queries, std::span<RadianceSample> samples) {

@@ -38,7 +38,7 @@ struct TracerSettings {
                                                  // path goes on from them but to see light straight
     int fieldAfter = 0;                          // reflections before the field is asked: 0 from the first surface on
     std::vector<FieldLink>* links = nullptr;     // not null, with a field: where it was asked is appended, and what for; of
-                                                 // rejected samples too
+                                                 // failed samples too
     std::vector<SourceShare>* shares = nullptr;  // not null: what each light gave is appended to it; of radiance,
                                                  // `direct` being what was emitted
     std::span<FirstBounce> bounces;              // empty, or filled for each query
@@ -80,6 +80,8 @@ private:
         std::uint32_t mirror = kNoMirror;  // the flat mirror or pane that turned the path since it was scattered last,
                                            // when next-event estimation looked that way too
         bool virtualOpen = true;   // only mirrors and panes so far
+        bool lost = false;         // it met a surface without a value and goes on as from a white one: what it finds may
+                                   // be missing in the sample, and is no part of it
         bool ended = false;
     };
     struct Shadow {
@@ -113,7 +115,8 @@ private:
     void shade(std::size_t i);
     [[nodiscard]] bool meets(Path& path, const Hit& hit, SurfacePoint& point);
     void shadeMet(Path& path, const Hit& hit, const SurfacePoint& point);
-    bool fail(Path& path);
+    void fail(std::uint32_t query, RayFailure failure, const Rgb& lost);
+    void loseSight(Path& path, const Hit& hit, SurfacePoint& point);
     static void goStraightOn(Path& path, const SurfacePoint& point);
     /// The path's throughput when it has gone this far through what it is in.
     [[nodiscard]] S throughputAfter(const Path& path, float distance) const;
@@ -132,10 +135,15 @@ private:
     void askField(const Path& path, const Hit& hit, const SurfacePoint& point, const Receiver& here, const S& albedo, float factor);
     [[nodiscard]] bool goesBeyondControl(Path& path, const Hit& hit, const SurfacePoint& point, const Receiver& here, const S& albedo);
     void takeFromField();
+    void takeGaps();
     void removeEnded();
     /// Adds to the part that light with this many reflections belongs to.
     void add(std::uint32_t query, int reflections, LightSource source, const S& radiance, const S& diffuse);
-    void add(const Path& path, LightSource source, const S& radiance) { add(path.query, path.reflections, source, radiance, path.diffuse); }
+    void add(const Path& path, LightSource source, const S& radiance) {
+        add(path.query, countedAs(path, path.reflections), source, radiance, path.diffuse);
+    }
+    /// What add() is told of light that comes to a path's end after so many reflections.
+    static int countedAs(const Path& path, int reflections) { return path.lost ? kLost : reflections; }
     [[nodiscard]] bool looksAlike(const Path& path, const Hit& hit, const SurfacePoint& point) const;
     void thinOut(Path& path, const SurfacePoint& point);
     [[nodiscard]] S diffusePart(const Path& path, const S& diffuse, const S& all) const;
@@ -159,6 +167,8 @@ private:
     template <class B>
     void scatter(Path& path, const Receiver& here, const SurfacePoint& point, const Frame& frame, const Vec3& wo,
                  const B& bsdf);
+
+    static constexpr int kLost = -1;  // reflections of light that a failed sample may be missing
 
     const TransportScene& scene_;
     TracerSettings settings_;

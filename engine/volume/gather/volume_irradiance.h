@@ -20,17 +20,25 @@ public:
                                                             std::unique_ptr<const RadianceEstimator> paths);
 
     void indirect(std::span<const FieldPoint> points, std::span<Rgb> lux) const override;
-    [[nodiscard]] std::size_t bytes() const { return volume_.bytes() + field_->bytes(); }
+    [[nodiscard]] bool hasGaps() const override { return lost_ != nullptr; }
+    void gaps(std::span<const FieldPoint> points, std::span<Rgb> lux) const override;
+    /// Samples of its vertices were such that a part is missing.
+    [[nodiscard]] bool lacksLight() const;
+    /// Another volume, of what this one may lack.
+    void setLost(std::unique_ptr<const VolumeIrradiance> lost);
+    [[nodiscard]] std::size_t bytes() const { return volume_.bytes() + field_->bytes() + (lost_ ? lost_->bytes() : 0); }
 
 private:
     VolumeIrradiance(IrradianceVolume volume, const Raycaster& raycaster, std::unique_ptr<const RadianceEstimator> paths)
         : volume_(std::move(volume)), raycaster_(raycaster), paths_(std::move(paths)) {}
-    [[nodiscard]] Rgb byPath(const FieldPoint& point) const;
+    [[nodiscard]] SensorSample sampleAt(const FieldPoint& point) const;
 
     IrradianceVolume volume_;
     std::unique_ptr<VolumeField> field_;
     const Raycaster& raycaster_;
     std::unique_ptr<const RadianceEstimator> paths_;
+    std::unique_ptr<const VolumeIrradiance> lost_;
+    bool unbounded_ = false;  // nothing is known of what is missing
 };
 
 }  // namespace luxdeck
