@@ -132,6 +132,15 @@ std::vector<LampTilt> loadLampTilts(const ProjectSpec& spec, const std::vector<L
     return tilts;
 }
 
+/// What looked wrong in the photometric files: who only ever checks the project shall hear of it too.
+void tellOfPhotometry(Scene& scene, const ProjectSpec& spec, const std::vector<LuminaireType>& types) {
+    for (std::size_t i = 0; i < types.size(); ++i)
+        for (const auto& warning : types[i].photometry.warnings)
+            if (!warning.starts_with("flux:"))  // how lumens are stated, which every file has something to say on
+                scene.warnings.push_back(fmt::format("luminaire type {}: {}: {}", inQuotes(types[i].id),
+                                                     spec.luminaireTypes[i].file.shown, warning));
+}
+
 /// What TILT did to the luminaires of a type.
 struct TiltNote {
     std::size_t count = 0;
@@ -234,6 +243,7 @@ Result<void> placeLuminaires(Scene& scene, const ProjectSpec& spec, std::vector<
     const auto firstType = scene.luminaireTypes.size(), firstPlaced = scene.luminaires.size();
     LuminaireNames names(scene, spec);
     const auto lampTilts = loadLampTilts(spec, types);
+    tellOfPhotometry(scene, spec, types);
     std::map<std::size_t, TiltNote> tilts;
     for (const auto& luminaireSpec : spec.luminaires) {
         if (!luminaireSpec.name.empty() && inGeometry.contains(luminaireSpec.name))

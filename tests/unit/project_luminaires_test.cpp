@@ -103,6 +103,12 @@ TEST_F(ProjectLuminaires, TheLampKnowsHowItsLuminaireIsTilted) {
     EXPECT_NEAR(placed("aim = [1, 0, 0]\n").fluxScale, 0.5, 1e-6);
 }
 
+TEST_F(ProjectLuminaires, WhatLooksWrongInAPhotometricFileIsToldOfTheProject) {
+    write("b.ies", LdtFile{}.text());
+    EXPECT_THAT(one("")->scene.warnings,
+                Contains(HasSubstr("luminaire type \"B\": b.ies: its name ends with .ies, but it holds EULUMDAT")));
+}
+
 TEST_F(ProjectLuminaires, WeatherWithABadFieldServesItsOtherHours) {
     const std::string header = "LOCATION,Here,XX,TST,made up,0,45,0,0,0\nD\nT\nG\nH\nC\nC\nDATA PERIODS,1,1,Data,Sunday,6/21,6/21\n";
     const auto row = [](int hour, const std::string& direct) {
