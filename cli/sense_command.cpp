@@ -88,7 +88,8 @@ private:
             for (std::size_t i = 0; i < request.size(); ++i) {
                 const auto& sums = run.sums()[i];
                 const bool open = sums.total().relative() > target;
-                const bool helps = sums.noise() > target * std::abs(sums.total().value);
+                const double asked = target * std::abs(sums.total().value);
+                const bool helps = sums.unseen() < 0.8 * asked || sums.noise() > asked;  // is there room for noise?
                 const bool room = sums.perReplicate < kMostPerReplicate && helps;
                 missed_ = missed_ || (open && !room);
                 request[i] = open && room ? sums.perReplicate : 0;

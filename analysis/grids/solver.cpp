@@ -36,6 +36,9 @@ bool meetsLampsByChance(const Scene& scene, const SceneNeeds& needs, const Mirro
     return needs.dielectrics;
 }
 
+/// Of the target, what may be missing where samples can still reach it: below kAim.
+constexpr double kRoomForNoise = 0.8;
+
 /// Aim a little below the target: a point that ends just above it would cost a round more.
 constexpr double kAim = 0.93;
 
@@ -162,7 +165,9 @@ private:
         const auto& grid = result_.grids[points_[i].grid];
         auto point = grid.points[points_[i].index];
         const auto& sums = run_.sums()[i];
-        if (sums.unseen() > 0) point.total.ci95 = sums.noise();
+        const double scale = std::max(point.total.value, kDarkPoint * grid.mean.interval.value);
+        // What is missing may leave room for noise: then the whole of the interval can come down to the target.
+        if (sums.unseen() > kRoomForNoise * settings_.targetError * scale) point.total.ci95 = sums.noise();
         return pointError(grid, point);
     }
 

@@ -67,6 +67,15 @@ TEST_F(FailedSamplesOnTheCommandLine, AStripWithoutAValueWidensTheInterval) {
     EXPECT_NEAR(ci95, 0.9 * part * lux, 0.2 * 0.9 * part * lux + 0.0005 * lux);
 }
 
+// What is missing takes a part of the interval; samples must bring the rest down to what is left of the target.
+TEST_F(FailedSamplesOnTheCommandLine, ATargetAboveWhatIsMissingIsReachedAndOneBelowEnds) {
+    scratch.write("roof.rad", skyAndRoof(kNoValue, 21.0));  // 0.25 % of the view, of which white paint would show 0.23 %
+    for (const auto& [target, status] : {std::pair{"0.5%", 0}, std::pair{"0.1%", 4}}) {
+        const auto result = scratch.run({"sense", "roof.rad", "--irradiance", "--target-error", target}, "0 0 0 0 0 1\n");
+        EXPECT_EQ(result.exitStatus, status) << target << ": " << result.out << result.err;
+    }
+}
+
 /// A room with a second, spoiled ceiling in its `project.toml`.
 class FailedSamplesInASolve : public ::testing::Test {
 protected:
