@@ -6,6 +6,7 @@
 #include "cli/ray_lines.h"
 #include "cli/streams.h"
 #include "engine/algorithms/registry.h"
+#include "engine/transport/chance_light.h"
 
 #include <fmt/format.h>
 
@@ -128,6 +129,8 @@ Exit runSense(const Options& o, Context& context) {
     if (!loaded) return complain(loaded.error());
     auto estimator = makeEstimator(o.effort.algorithm, (*loaded)->lit.transport(), o.effort.settings(), context.common.seed, context.progress);
     if (!estimator) return complain(estimator.error());
+    if (algorithmNamed(o.effort.algorithm)->interreflection)
+        printWarnings(chanceLightWarnings((*loaded)->lit.transport()), context.common.quiet);
     Sense sense(**loaded, **estimator, o, context);
     LineReader reader(0, context.progress);
     std::vector<std::string> lines;

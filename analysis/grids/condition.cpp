@@ -45,8 +45,8 @@ std::vector<std::string> conditionWarnings(const Condition& c, double truncatedF
     if (truncatedFraction > kBadTruncation)
         out.push_back(fmt::format("up to {:.2g} % of the light was not followed to its end: values are too low by up to as much", 100 * truncatedFraction));
     if (c.effectiveReplicates < kBadReplicates)
-        out.push_back(fmt::format("at the worst point a few bright paths carry the value ({:.1f} of {} replicates count): its interval may be too narrow, "
-                                  "more time would tell", c.effectiveReplicates, kReplicates));
+        out.push_back(fmt::format("at the worst point a few bright paths carry the value ({:.1f} of {} replicates count): its interval is wide for that, "
+                                  "more time narrows it", c.effectiveReplicates, kReplicates));
     return out;
 }
 

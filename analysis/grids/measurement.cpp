@@ -8,13 +8,21 @@
 
 namespace luxdeck {
 
+namespace {
+
+/// Missed in all n samples, an event has at most this many expected ones, 97.5 % (Poisson: -log 0.025).
+constexpr double kUnmet = 3.688879454113936;
+
+}  // namespace
+
 void PointSums::add(const PointSums& more) {
     for (std::size_t r = 0; r < kReplicates; ++r) direct[r] += more.direct[r], indirect[r] += more.indirect[r];
     for (std::size_t c = 0; c < 3; ++c) rgb[c] += more.rgb[c];
     if (layers.empty()) layers.assign(more.layers.size(), 0.0);
     for (std::size_t i = 0; i < more.layers.size(); ++i) layers[i] += more.layers[i];
     perReplicate += more.perReplicate, backFaces += more.backFaces, rejected += more.rejected;
-    lost += more.lost;
+    lost += more.lost, diffused += more.diffused, foundSquares += more.foundSquares;
+    peak = std::max(peak, more.peak);
     lostAt = std::min(lostAt, more.lostAt);
 }
 
@@ -24,19 +32,30 @@ bool PointSums::withheld() const {
 
 bool PointSums::staysOpen() const {
     constexpr std::uint32_t kEnough = 4096;  // samples of each replicate: a share so near the limit is not worth more
-    const double most = kMostLost * static_cast<double>(samples());
+    constexpr double kMany = 1e6;            // samples that a point may be given to meet light by chance
+    const double n = std::max<double>(1, static_cast<double>(samples())), most = kMostLost * n;
     const bool surely = static_cast<double>(rejected) > most + 3 * std::sqrt(most) || !std::isfinite(lost);
-    return withheld() && (surely || perReplicate >= kEnough);
+    const bool tooRare = diffused > 0 && kUnmet * peak / kMany > diffused / n;
+    return (withheld() && (surely || perReplicate >= kEnough)) || tooRare;
 }
 
 double PointSums::noise() const {
     if (withheld()) return staysOpen() ? 0 : std::numeric_limits<double>::infinity();
-    return meanOfReplicates(totalMeans()).ci95;
+    const auto found = meanOfReplicates(totalMeans());
+    return staysOpen() ? found.ci95 : found.widenedAbove(unmet()).ci95;
 }
 
 double PointSums::unseen() const {
     if (withheld()) return std::numeric_limits<double>::infinity();
-    return lost / std::max<double>(1, static_cast<double>(samples()));
+    return lost / std::max<double>(1, static_cast<double>(samples())) + unmet();
+}
+
+double PointSums::unmet() const {
+    if (!(diffused > 0)) return 0;
+    // From three finds of that size on the spread of the replicates tells (docs/decisions/0012).
+    constexpr double kEnoughFinds = 3;
+    const double n = static_cast<double>(samples()), finds = peak > 0 ? foundSquares / (peak * peak) : 0;
+    return (1 - std::min(1.0, finds / kEnoughFinds)) * std::min(diffused / n, kUnmet * peak / n);
 }
 
 namespace {
@@ -59,13 +78,14 @@ struct Outcome {
     RayFailure failure = RayFailure::None;
     Rgb lost;
     std::uint32_t lostAt = kNothing;
+    ChanceLight chance;
 };
 
 Outcome outcomeOf(const RadianceSample& s) {
-    return {s.emitted + s.direct, s.indirect, s.backFace, s.failure, s.lost, s.lostAt};
+    return {s.emitted + s.direct, s.indirect, s.backFace, s.failure, s.lost, s.lostAt, s.chance};
 }
 Outcome outcomeOf(const SensorSample& s) {
-    return {s.direct, s.indirect, s.sawBackFace, s.failure, s.lost, s.lostAt};
+    return {s.direct, s.indirect, s.sawBackFace, s.failure, s.lost, s.lostAt, s.chance};
 }
 
 std::vector<Outcome> ask(const RadianceEstimator& estimator, const Target& target, std::span<const SamplePath> numbers,
@@ -96,6 +116,9 @@ void enter(PointSums& sums, std::size_t replicate, const Outcome& o, const Lumin
     sums.rgb[2] += o.direct.b + o.indirect.b;
     sums.backFaces += o.backFace ? 1 : 0;
     sums.lost += o.lost.isBlack() ? 0 : luminance(o.lost, weights);
+    const double found = o.chance.found;
+    sums.diffused += o.chance.diffused, sums.foundSquares += found * found;
+    sums.peak = std::max<double>(sums.peak, o.chance.peak);
     if (o.failure == RayFailure::None) return;
     ++sums.rejected;
     sums.lostAt = std::min(sums.lostAt, o.lostAt);

@@ -28,17 +28,23 @@ struct PointSums {
     std::uint64_t rejected = 0;      // samples of which a part is missing
     double lost = 0;                 // the most that is missing; infinite: nothing is known of it
     std::uint32_t lostAt = kNothing;   // index into Scene::materials of a surface that has no value
+    double diffused = 0;             // sums of ChanceLight
+    double foundSquares = 0;
+    double peak = 0;                 // its largest
 
     void add(const PointSums& more);
     /// So much is missing that the numbers say nothing: they are withheld.
     [[nodiscard]] bool withheld() const;
-    /// More samples will not change that: enough were taken, and too many of them fail.
+    /// More samples will not tell what was not seen: too many of them fail, or lights behind what bends light are so small
+    /// that paths will not meet them.
     [[nodiscard]] bool staysOpen() const;
     /// Half-width that more samples bring down [lx]: not what is missing; infinite before it is clear whether too much is.
     [[nodiscard]] double noise() const;
-    /// How much more the mean may be than what was found: what is missing of failed samples. Infinite where the numbers are
-    /// withheld.
+    /// How much more the mean may be than what was found: what is missing of failed samples, and light that is met by
+    /// chance alone and was not met. Infinite where the numbers are withheld.
     [[nodiscard]] double unseen() const;
+    /// The second of the two.
+    [[nodiscard]] double unmet() const;
     [[nodiscard]] std::uint64_t samples() const { return std::uint64_t{perReplicate} * kReplicates; }
     /// Means of every replicate, #R.
     [[nodiscard]] std::array<double, kReplicates> directMeans() const;

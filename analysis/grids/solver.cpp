@@ -8,6 +8,7 @@
 #include "engine/algorithms/registry.h"
 #include "engine/core/parallel.h"
 #include "engine/core/version.h"
+#include "engine/transport/chance_light.h"
 
 #include <fmt/format.h>
 
@@ -21,20 +22,6 @@ namespace luxdeck {
 namespace {
 
 constexpr std::uint32_t kPilot = 8;  // first samples of each replicate
-
-/// Paths a point below which lamps that paths meet by chance make intervals too narrow.
-constexpr double kPathsForSpecular = 4096;
-
-/// Lamps show in something where next-event estimation does not seek them: curved mirrors, solids of glass.
-bool meetsLampsByChance(const Scene& scene, const SceneNeeds& needs, const Mirrors& mirrors) {
-    for (std::uint32_t m = 0; m < scene.meshes.size(); ++m) {
-        const auto kind = scene.materials[scene.meshes[m].material].kind;
-        if (kind != MaterialKind::Mirror && kind != MaterialKind::ThinGlass) continue;
-        for (std::uint32_t t = 0; t < scene.meshes[m].triangles.size(); ++t)
-            if (mirrors.of(m, t) == kNoMirror) return true;
-    }
-    return needs.dielectrics;
-}
 
 /// Of the target, what may be missing where samples can still reach it: below kAim.
 constexpr double kRoomForNoise = 0.8;
@@ -71,8 +58,7 @@ public:
         state_.stage = "solving";
         result_.kernel = lit.raycaster().kernel();
         result_.leftOut = leftOut(lit.needs());
-        metByChance_ = algorithmNamed(settings.algorithm)->interreflection &&
-                       meetsLampsByChance(project.scene, lit.needs(), lit.transport().mirrors);
+        if (algorithmNamed(settings.algorithm)->interreflection) metByChance_ = chanceLightWarnings(lit.transport());
     }
 
     SolveResult run(const std::function<void(const SolveResult&)>& afterRound) {
@@ -233,10 +219,7 @@ private:
             r.layers = std::make_shared<LayeredSums>(LayeredSums{layerMap_.layers, run_.sums(), project_.scene.hash});
         addWarnings(r);
         for (auto& warning : conditionWarnings(r.condition, r.truncatedFraction)) r.warnings.push_back(std::move(warning));
-        const double pathsPerPoint = static_cast<double>(r.samples) / static_cast<double>(points_.size());
-        if (metByChance_ && r.samples > 0 && pathsPerPoint < kPathsForSpecular)
-            r.warnings.push_back(fmt::format("lamps in curved mirrors or behind solids of glass are met by chance, and {:.0f} paths a point are few: intervals may be too "
-                                             "narrow (docs/decisions/0004-replicates.md)", pathsPerPoint));
+        r.warnings.insert(r.warnings.end(), metByChance_.begin(), metByChance_.end());
     }
 
     [[nodiscard]] bool allSampled() const {
@@ -278,7 +261,7 @@ private:
     ProgressState state_;
     SolveResult result_;
     std::vector<std::uint8_t> lacking_;  // by grid: light may be missing at some of its points
-    bool metByChance_ = false;
+    std::vector<std::string> metByChance_;  // lights that paths meet by chance alone, for people
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "engine/core/parallel.h"
 #include "engine/core/stopwatch.h"
 #include "engine/core/version.h"
+#include "engine/transport/chance_light.h"
 #include "engine/transport/surface/surface_point.h"
 
 #include <fmt/format.h>
@@ -52,6 +53,7 @@ public:
               const RenderSettings& settings, const Progress& progress)
         : project_(project), view_(view), lit_(lit), estimator_(estimator), settings_(settings), progress_(progress),
           camera_(view, project.scene), pixels_(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height)) {
+        if (algorithmNamed(settings.algorithm)->interreflection) chanceLight_ = chanceLightWarnings(lit.transport());
         state_.stage = settings.stage.empty() ? "rendering " + view.name : settings.stage;
     }
 
@@ -197,7 +199,8 @@ private:
             sum += mean, variance += var;
         }
         const auto n = static_cast<double>(pixels_.size());
-        relativeError_ = sum > 0 ? 1.96 * std::sqrt(variance / n) / (sum / n) : 0;
+        const double ofBlack = chanceLight_.empty() ? 0 : double{kInfinity};  // there are lights that no path has met
+        relativeError_ = sum > 0 ? 1.96 * std::sqrt(variance / n) / (sum / n) : ofBlack;
         state_.errorPercent = 100 * relativeError_;
     }
 
@@ -214,6 +217,7 @@ private:
         r.valuelessPixels = static_cast<std::size_t>(std::ranges::count_if(
             pixels_, [](const Pixel& p) { return p.failed > kMostFailed * p.samples; }));
         r.complete = !progress_.cancelled() && r.valuelessPixels == 0;
+        r.warnings = chanceLight_;
         if (r.valuelessPixels > 0)
             r.warnings.push_back(fmt::format("{} pixels show something without a value: they hold what was found before it, "
                                              "their error what may be missing", r.valuelessPixels));
@@ -287,6 +291,7 @@ private:
     TransportCounters counters_;
     std::uint32_t done_ = 0;
     double relativeError_ = 0;
+    std::vector<std::string> chanceLight_;  // lights that paths meet by chance alone, for people
 };
 
 }  // namespace

@@ -43,12 +43,24 @@ double studentDensity(double t, double nu) {
     return gammaRatio / std::sqrt(nu * std::numbers::pi) * std::pow(1.0 + t * t / nu, -(nu + 1.0) / 2.0);
 }
 
-/// One point of the grid: the mean of its replicates and that mean's standard error [lx].
+/// One point of the grid: the mean of its replicates, that mean's standard error [lx] and third central moment [lx^3].
 struct PointEstimate {
     std::size_t index;
     double value;
     double sigma;
+    double cubed;
 };
+
+/// The third central moment of the mean of R values. Source: the k-statistic k3 of Fisher 1930, over R^2.
+double thirdMomentOfMean(std::span<const double> values, double mean) {
+    const double n = static_cast<double>(values.size());
+    if (n < 3.0) return 0.0;
+    double sum = 0;
+    for (const double x : values) sum += (x - mean) * (x - mean) * (x - mean);
+    return sum / (n * (n - 1.0) * (n - 2.0));
+}
+
+double skewnessOf(double cubed, double sigma) { return sigma > 0.0 ? cubed / (sigma * sigma * sigma) : 0.0; }
 
 std::vector<PointEstimate> pointEstimates(std::span<const double> replicates, std::size_t pointCount) {
     const std::size_t replicateCount = replicates.size() / pointCount;
@@ -56,8 +68,9 @@ std::vector<PointEstimate> pointEstimates(std::span<const double> replicates, st
     points.reserve(pointCount);
     for (std::size_t i = 0; i < pointCount; ++i) {
         MeanVariance statistics;
-        for (const double x : replicates.subspan(i * replicateCount, replicateCount)) statistics.add(x);
-        points.push_back({i, statistics.mean(), std::sqrt(statistics.meanVariance())});
+        const auto own = replicates.subspan(i * replicateCount, replicateCount);
+        for (const double x : own) statistics.add(x);
+        points.push_back({i, statistics.mean(), std::sqrt(statistics.meanVariance()), thirdMomentOfMean(own, statistics.mean())});
     }
     return points;
 }
@@ -73,9 +86,6 @@ public:
     [[nodiscard]] double degreesOfFreedom(double ofOneTerm) const {
         return sumOfSquares_ > 0.0 ? ofOneTerm * sum_ * sum_ / sumOfSquares_ : ofOneTerm;
     }
-    [[nodiscard]] double halfWidth95(double dofOfOneTerm) const {
-        return sum_ > 0.0 ? studentT95(degreesOfFreedom(dofOfOneTerm)) * std::sqrt(sum_) : 0.0;
-    }
 
 private:
     double sum_ = 0;
@@ -84,13 +94,14 @@ private:
 
 Interval gridMean(std::span<const PointEstimate> points, double dof) {
     const double count = static_cast<double>(points.size());
-    double sum = 0;
+    double sum = 0, cubed = 0;
     PooledVariance variance;
     for (const PointEstimate& p : points) {
-        sum += p.value;
+        sum += p.value, cubed += p.cubed;
         variance.add(p.sigma * p.sigma);
     }
-    return {sum / count, variance.halfWidth95(dof) / count};
+    const double sigma = std::sqrt(variance.sum());
+    return skewedInterval(sum / count, sigma / count, skewnessOf(cubed, sigma), variance.degreesOfFreedom(dof));
 }
 
 /// P(a normal variate > t): a step when it is certain.
@@ -119,7 +130,7 @@ MinimumOfNormals minimumOfNormals(std::span<const PointEstimate> points, double 
     MinimumOfNormals result;
     for (const PointEstimate& p : points) {
         if (p.value - reach * p.sigma <= high) {
-            result.candidates.push_back({p.index, p.value, p.sigma * inflation});
+            result.candidates.push_back({p.index, p.value, p.sigma * inflation, p.cubed});
         }
     }
     const std::size_t count = result.candidates.size();
@@ -152,7 +163,7 @@ MinimumOfNormals minimumOfNormals(std::span<const PointEstimate> points, double 
 
 struct MinimumEstimate {
     Interval interval;
-    double noise95;     // half-width without the correction's share [lx]
+    Interval noise;     // the same without the correction's share
     std::size_t point;  // most likely to be the darkest
 };
 
@@ -165,15 +176,18 @@ MinimumEstimate gridMinimum(std::span<const PointEstimate> points, double dof) {
     const double correction = kCorrection * bias;
 
     PooledVariance variance;  // of "the darkest point", each counted as often as it is that
+    double cubed = 0;
     std::size_t best = 0;
     for (std::size_t i = 0; i < bootstrap.candidates.size(); ++i) {
         const double sigma = bootstrap.candidates[i].sigma / kNoiseInflation;
         variance.add(bootstrap.probability[i] * sigma * sigma);
+        cubed += bootstrap.probability[i] * bootstrap.candidates[i].cubed;
         if (bootstrap.probability[i] > bootstrap.probability[best]) best = i;
     }
-    const double noise95 = variance.halfWidth95(dof);
-    const double halfWidth = std::sqrt(square(noise95) + kCorrectionUncertainty * square(correction));
-    return {{smallest + correction, halfWidth}, noise95, bootstrap.candidates[best].index};
+    const double sigma = std::sqrt(variance.sum()), value = smallest + correction;
+    const auto noise = skewedInterval(value, sigma, skewnessOf(cubed, sigma), variance.degreesOfFreedom(dof));
+    const auto with = [&](double side) { return std::sqrt(square(side) + kCorrectionUncertainty * square(correction)); };
+    return {Interval::sides(value, with(noise.below()), with(noise.above())), noise, bootstrap.candidates[best].index};
 }
 
 /// First-order error of a ratio. The darkest point is also one of the mean's N terms, so their
@@ -181,9 +195,13 @@ MinimumEstimate gridMinimum(std::span<const PointEstimate> points, double dof) {
 Interval gridUniformity(const MinimumEstimate& minimum, const Interval& mean, std::size_t pointCount) {
     if (mean.value == 0.0) return {0.0, kInfinity};
     const double ratio = minimum.interval.value / mean.value;
-    const double shared = square(minimum.noise95) / static_cast<double>(pointCount);
-    const double squared = square(minimum.interval.ci95) + square(ratio * mean.ci95) - 2.0 * ratio * shared;
-    return {ratio, std::sqrt(std::max(squared, 0.0)) / std::abs(mean.value)};
+    const auto side = [&](double ofMinimum, double ofMean, double noise) {
+        const double shared = square(noise) / static_cast<double>(pointCount);
+        const double squared = square(ofMinimum) + square(ratio * ofMean) - 2.0 * ratio * shared;
+        return std::sqrt(std::max(squared, 0.0)) / std::abs(mean.value);
+    };
+    return Interval::sides(ratio, side(minimum.interval.below(), mean.above(), minimum.noise.below()),
+                           side(minimum.interval.above(), mean.below(), minimum.noise.above()));
 }
 
 }  // namespace
@@ -216,13 +234,23 @@ double studentT95(double degreesOfFreedom) {
     return t;
 }
 
+Interval skewedInterval(double value, double sigma, double skewness, double degreesOfFreedom) {
+    if (sigma == 0.0) return {value, 0.0};
+    const double t = studentT95(degreesOfFreedom);
+    if (std::abs(skewness) < 1e-9) return {value, t * sigma};
+    // The studentised mean T has the mean's skewness with the other sign, twice; T + s T^2 / 3 + s^2 T^3 / 27 + s / 6 is
+    // normal up to order 1 / n. Its inverse at -t and t bounds T.
+    const auto inverse = [&](double y) { return (std::cbrt(1.0 + skewness * (y - skewness / 6.0)) - 1.0) * 3.0 / skewness; };
+    return Interval::sides(value, std::max(inverse(t), 0.0) * sigma, std::max(-inverse(-t), 0.0) * sigma);
+}
+
 Interval meanOfReplicates(std::span<const double> replicates) {
     assert(replicates.size() >= 2);
     MeanVariance statistics;
     for (const double x : replicates) statistics.add(x);
     const double sigma = std::sqrt(statistics.meanVariance());
-    if (sigma == 0.0) return {statistics.mean(), 0.0};
-    return {statistics.mean(), studentT95(static_cast<double>(replicates.size() - 1)) * sigma};
+    return skewedInterval(statistics.mean(), sigma, skewnessOf(thirdMomentOfMean(replicates, statistics.mean()), sigma),
+                          static_cast<double>(replicates.size() - 1));
 }
 
 GridInterval gridInterval(std::span<const double> replicates, std::size_t pointCount) {

@@ -34,6 +34,20 @@ struct RadianceQuery {
 
 enum class RayFailure : std::uint8_t { None, BadRay, NotFinite, Negative };
 
+/// Light that next-event estimation does not seek, since a curved mirror or a solid that bends it stands between: what a
+/// path's own directions found of it, and what there may be. Luminances or illuminances, of one sample.
+struct ChanceLight {
+    float diffused = 0;  // what the sample would have got if those surfaces spread their light evenly, times how uneven it
+                         // may be (docs/decisions/0012)
+    float peak = 0;      // the most that one such find may be; infinite: points without extent are never found
+    float found = 0;     // a part of the sample
+
+    void add(const ChanceLight& o, float factor) {
+        diffused += o.diffused * factor, found += o.found * factor;
+        peak = peak > o.peak * factor ? peak : o.peak * factor;
+    }
+};
+
 /// The radiance along one ray, in parts, and what the ray met first.
 struct RadianceSample {
     Rgb emitted;               // from luminaires, sky and emitting surfaces, without any reflection [cd/m^2]
@@ -48,6 +62,7 @@ struct RadianceSample {
     Rgb lost;                  // failed: the most that the missing part may be (docs/decisions/0011) [cd/m^2]; infinite:
                                // nothing is known of it
     std::uint32_t lostAt = kNothing;    // index into Scene::materials of the surface without a value that was met first
+    ChanceLight chance;
 
     [[nodiscard]] Rgb total() const { return emitted + direct + indirect; }
 };
@@ -72,6 +87,7 @@ struct SensorSample {
     RayFailure failure = RayFailure::None;  // not None: a part is missing, and what was found before it is there
     Rgb lost;                  // failed: the most that the missing part may be [lx]; infinite: nothing is known of it
     std::uint32_t lostAt = kNothing;  // as RadianceSample::lostAt
+    ChanceLight chance;
 
     [[nodiscard]] Rgb total() const { return direct + indirect; }
 };

@@ -250,7 +250,7 @@ void VertexSampler::sample(const Vec3& position, std::uint32_t samples, VertexSt
         round.sources.clear();
         if (settings_.sources == SourceSampling::Sought) {
             seekSources(Receiver{position}, stream, index, round, counters);
-            if (!scene_.mirrors.empty() && !scene_.lights.empty()) seekByMirrors(Receiver{position}, stream, index, round, counters);
+            if (seeksByMirrors(scene_)) seekByMirrors(Receiver{position}, stream, index, round, counters);
         }
         enter(round, state);
     }

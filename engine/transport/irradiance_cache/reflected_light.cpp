@@ -8,7 +8,7 @@ namespace luxdeck {
 void ReflectedLight::stand(const FieldPoint& point) {
     point_ = point;
     at_ = {point.position, point.normal};
-    const bool byMirrors = !scene_.mirrors.empty() && !scene_.lights.empty() && settings_.maxReflections > 0;
+    const bool byMirrors = seeksByMirrors(scene_) && settings_.maxReflections > 0;
     mirrors_ = byMirrors ? std::make_unique<MirrorTable>(scene_, at_) : nullptr;
 }
 

@@ -172,7 +172,7 @@ TransportCounters gatherIlluminance(const TransportScene& scene, const TracerSet
     std::vector<RadianceQuery> directions(queries.size());
     std::vector<RadianceSample> radiances(queries.size());
     TransportCounters counters;
-    const bool byMirrors = !scene.mirrors.empty() && !scene.lights.empty() && settings.maxReflections > 0;
+    const bool byMirrors = seeksByMirrors(scene) && settings.maxReflections > 0;
     LightRound lights(scene, queries.size(), sensors.lightSamples);
     for (std::uint32_t i = 0; i < queries.size(); ++i) {
         samples[i] = SensorSample{};
@@ -209,6 +209,7 @@ TransportCounters gatherIlluminance(const TransportScene& scene, const TracerSet
         sample.sawBackFace = radiances[i].backFace;
         sample.lost += radiances[i].lost * kPi;
         sample.lostAt = radiances[i].lostAt;
+        sample.chance.add(radiances[i].chance, kPi);
         if (radiances[i].failure != RayFailure::None) sample.failure = radiances[i].failure;
         for (auto* part : {&sample.direct, &sample.indirect})
             if (!isFinite(*part)) sample.failure = RayFailure::NotFinite, sample.lost = kUnbounded, *part = Rgb{};

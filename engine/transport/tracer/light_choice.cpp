@@ -47,13 +47,13 @@ float lampChance(const TransportScene& scene, const Receiver& at) {
     return scene.sky == nullptr ? 1.0F : 1 - scene.sky->share(at);
 }
 
-Rgb skyRadiance(const TransportScene& scene, const Receiver& at, const Vec3& direction, float pdfSolidAngle) {
+Rgb skyRadiance(const TransportScene& scene, const Receiver& at, const Vec3& direction, float pdfSolidAngle, Suns suns) {
     const auto& sky = scene.scene.sky;
     const auto weight = [&](float lightPdf) { return pdfSolidAngle / (pdfSolidAngle + lightPdf); };
     const bool weighs = pdfSolidAngle > 0 && scene.sky != nullptr;
     const float share = weighs ? scene.sky->share(at) : 0;
     Rgb radiance = sky.radiance(direction) * (weighs ? weight(share * scene.sky->pdf(at, direction)) : 1.0F);
-    for (std::size_t i = 0; i < sky.suns.size(); ++i)
+    for (std::size_t i = 0; i < sky.suns.size() && suns == Suns::With; ++i)
         if (sky.suns[i].covers(direction)) radiance += sky.suns[i].radiance * (weighs ? weight(share * scene.sky->pdfSun(at, i)) : 1.0F);
     return radiance;
 }

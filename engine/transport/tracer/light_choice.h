@@ -16,8 +16,10 @@ LightSample chooseLight(const TransportScene& scene, const Receiver& at, const L
 /// The chance that another light than the sky is chosen: a factor of every density of LightSampler.
 float lampChance(const TransportScene& scene, const Receiver& at);
 
+enum class Suns { With, Without };
+
 /// Radiance of the sky and its suns along a direction that was sampled at `at` with a density (0: no other strategy
 /// looks for light there), weighed against next-event estimation.
-Rgb skyRadiance(const TransportScene& scene, const Receiver& at, const Vec3& direction, float pdfSolidAngle);
+Rgb skyRadiance(const TransportScene& scene, const Receiver& at, const Vec3& direction, float pdfSolidAngle, Suns suns = Suns::With);
 
 }  // namespace luxdeck

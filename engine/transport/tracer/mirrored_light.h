@@ -17,6 +17,9 @@ struct MirrorPath {
     LightSample light;        // chosen for the receiver behind the mirror
 };
 
+/// Whether any light is sought by way of mirrors: lamps, emitting surfaces and suns are.
+bool seeksByMirrors(const TransportScene& scene);
+
 /// The mirrored receiver's choice of a light, turned back into this world. Nothing when there is none, when the
 /// light does not lie on the receiver's side of the mirror, or when both strategies share it: directions that
 /// receivers choose find those lights well enough, mirrored or not, and count for them in full.

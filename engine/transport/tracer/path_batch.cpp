@@ -22,7 +22,7 @@ constexpr float kMirrorShare = 0.25F;
 template <Spectrum S>
 PathBatch<S>::PathBatch(const TransportScene& scene, const TracerSettings& settings,
                         std::span<const RadianceQuery> queries, std::span<RadianceSample> samples)
-    : scene_(scene), settings_(settings), queries_(queries), samples_(samples), paths_(queries.size()) {
+    : scene_(scene), settings_(settings), byMirrors_(seeksByMirrors(scene)), queries_(queries), samples_(samples), paths_(queries.size()) {
     for (std::uint32_t i = 0; i < queries.size(); ++i) {
         samples[i] = RadianceSample{};
         auto& path = paths_[i];
@@ -186,7 +186,7 @@ template <class B>
 void PathBatch<S>::scatterSpecular(Path& path, const Hit& hit, const SurfacePoint& point, const B& bsdf) {
     const auto frame = Frame::about(point.shadingNormal);
     const auto next = bsdf.sample(frame.toLocal(-path.ray.direction), path.numbers.next1D(), {0.5F, 0.5F});
-    const bool fromRough = path.pdfSolidAngle > 0;
+    const bool fromRough = path.pdfSolidAngle > 0, wasSought = fromRough || path.mirror != kNoMirror;
     const Vec3 direction = next.passedThrough ? path.ray.direction : frame.toWorld(next.wi);
     const bool leaves = next.passedThrough || dot(direction, point.geometricNormal) > 0;
     path.throughput *= next.weight;
@@ -195,9 +195,10 @@ void PathBatch<S>::scatterSpecular(Path& path, const Hit& hit, const SurfacePoin
     path.ended = !leaves || path.throughput.isBlack();
     path.ray = {point.departure(direction), 0, direction, kInfinity};
     if (next.passedThrough) return;  // straight on: next-event estimation saw through the pane as well
+    path.mirror = fromRough ? scene_.mirrors.of(hit.mesh, hit.triangle) : kNoMirror;
+    if (wasSought && path.mirror == kNoMirror) weighUnseen(path, point);
     ++path.reflections;
     path.pdfSolidAngle = 0;
-    path.mirror = fromRough ? scene_.mirrors.of(hit.mesh, hit.triangle) : kNoMirror;
 }
 
 /// Into a solid or out of it, or back. Radiance was found by no other strategy: shadow rays do not bend.
@@ -214,6 +215,7 @@ void PathBatch<S>::scatterBoundary(Path& path, const SurfacePoint& point, const 
         direction = frame.toWorld(next.wi);
         if ((dot(direction, point.geometricNormal) < 0) == next.refracted) break;
     }
+    if (path.pdfSolidAngle > 0 || path.mirror != kNoMirror) weighUnseen(path, point);
     path.throughput *= next.weight;
     path.ray = {point.departure(direction), 0, direction, kInfinity};
     path.pdfSolidAngle = 0;
@@ -266,7 +268,7 @@ void PathBatch<S>::scatterRough(Path& path, const Hit& hit, const SurfacePoint& 
     const bool asks = !last && settings_.field != nullptr && path.reflections >= settings_.fieldAfter && point.material->kind == MaterialKind::Matte;
     if (asks) askField(path, hit, point, here, bsdf.albedo(wo.z), 1), path.mostReflections = path.reflections + 1;
     if (!last) connectLight(path, here, point, frame, wo, bsdf);
-    if (!last && path.reflections + 1 < path.mostReflections && !scene_.mirrors.empty())
+    if (!last && path.reflections + 1 < path.mostReflections && byMirrors_)
         connectByMirror(path, here, point, frame, wo, bsdf);
     if (!goesBeyondControl(path, hit, point, here, bsdf.albedo(wo.z))) return;
     scatter(path, here, point, frame, wo, bsdf);
@@ -330,6 +332,7 @@ void PathBatch<S>::scatter(Path& path, const Receiver& here, const SurfacePoint&
     path.ray = {height > 0 ? here.position : point.departure(direction), 0, direction, kInfinity};
     path.pdfSolidAngle = next.pdf;
     path.mirror = kNoMirror;
+    path.byChance = false;
     ++path.reflections;
     const auto& needs = scene_.needs;
     const bool canSeeLight = needs.sky || needs.meshLights || needs.luminaireSurfaces;

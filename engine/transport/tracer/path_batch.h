@@ -82,6 +82,7 @@ private:
         bool virtualOpen = true;   // only mirrors and panes so far
         bool lost = false;         // it met a surface without a value and goes on as from a white one: what it finds may
                                    // be missing in the sample, and is no part of it
+        bool byChance = false;     // what it meets next is found by no other strategy
         bool ended = false;
     };
     struct Shadow {
@@ -117,6 +118,9 @@ private:
     void shadeMet(Path& path, const Hit& hit, const SurfacePoint& point);
     void fail(std::uint32_t query, RayFailure failure, const Rgb& lost);
     void loseSight(Path& path, const Hit& hit, SurfacePoint& point);
+    void weighUnseen(Path& path, const SurfacePoint& point);
+    [[nodiscard]] bool reaches(Ray ray);
+    void noteFound(const Path& path, const S& radiance);
     static void goStraightOn(Path& path, const SurfacePoint& point);
     /// The path's throughput when it has gone this far through what it is in.
     [[nodiscard]] S throughputAfter(const Path& path, float distance) const;
@@ -172,6 +176,7 @@ private:
 
     const TransportScene& scene_;
     TracerSettings settings_;
+    bool byMirrors_;  // lights are sought by way of mirrors
     std::span<const RadianceQuery> queries_;
     std::span<RadianceSample> samples_;
     std::vector<Path> paths_;

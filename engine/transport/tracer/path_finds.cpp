@@ -10,13 +10,21 @@
 #include <cmath>
 
 // What paths find: the lights that they see, those that they sought, and what a field says; and what they could not find,
-// since a surface has no value.
+// since a surface has no value or no strategy looks there.
 namespace luxdeck {
 
 namespace {
 
 /// Light of a lamp or a field that has no value may be anything.
 const Rgb kUnbounded(kInfinity);
+
+/// How much more than an even spread of the same light a place may get from curved mirrors and solids that bend light. The
+/// mean over all places is that of the even spread; by Markov's inequality at most one in twenty gets more than twenty times
+/// as much. Light that a rough surface spreads once more comes from many places: three times is a stated prior.
+constexpr float kUnevenStraight = 20, kUnevenSpread = 3;
+
+/// Surfaces that a look through solids and mirrors passes at most.
+constexpr int kMostPassed = 16;
 
 RayFailure failureOf(const Rgb& c, bool mayBeNegative) {
     return !isFinite(c) ? RayFailure::NotFinite : c.min() < 0 && !mayBeNegative ? RayFailure::Negative : RayFailure::None;
@@ -28,8 +36,12 @@ template <Spectrum S>
 void PathBatch<S>::seeSky(Path& path) {
     path.ended = true;
     if (!scene_.needs.sky) return;
-    const Rgb radiance = skyRadiance(scene_, path.from, path.ray.direction, path.pdfSolidAngle);
-    add(path, kFromSky, throughputAfter(path, kInfinity) * fromRgb<S>(radiance));
+    // By way of a mirror next-event estimation has the suns to itself, where it looks there.
+    const bool sunsFound = path.mirror != kNoMirror && !path.from.glossy;
+    const Rgb radiance = skyRadiance(scene_, path.from, path.ray.direction, path.pdfSolidAngle, sunsFound ? Suns::Without : Suns::With);
+    const S found = throughputAfter(path, kInfinity) * fromRgb<S>(radiance);
+    noteFound(path, found);
+    add(path, kFromSky, found);
 }
 
 template <Spectrum S>
@@ -44,7 +56,9 @@ void PathBatch<S>::seeOpening(const Path& path, const Hit& hit) {
                           ? lampChance(scene_, path.from) * scene_.lights.pdfOpening(path.from, hit.luminaire, path.ray.direction)
                           : 0;
     const S radiance = fromRgb<S>(scene_.lights.openingRadiance(hit.luminaire, -path.ray.direction));
-    add(path, hit.luminaire, throughputAfter(path, hit.distance) * radiance * weightOfDirection(path, pdf));
+    const S found = throughputAfter(path, hit.distance) * radiance * weightOfDirection(path, pdf);
+    noteFound(path, found);
+    add(path, hit.luminaire, found);
 }
 
 template <Spectrum S>
@@ -58,7 +72,9 @@ void PathBatch<S>::seeSurface(const Path& path, const Hit& hit, const SurfacePoi
     const float pdf = path.pdfSolidAngle > 0
                           ? lampChance(scene_, path.from) * scene_.lights.pdfTriangle(path.from, hit.mesh, hit.triangle, distance, cosine)
                           : 0;
-    add(path, kFromSurfaces, path.throughput * fromRgb<S>(emitted) * weightOfDirection(path, pdf));
+    const S found = path.throughput * fromRgb<S>(emitted) * weightOfDirection(path, pdf);
+    noteFound(path, found);
+    add(path, kFromSurfaces, found);
 }
 
 /// A part of the sample is missing, at most `lost` of it.
@@ -78,6 +94,52 @@ void PathBatch<S>::loseSight(Path& path, const Hit& hit, SurfacePoint& point) {
     if (sample.lostAt == kNothing) sample.lostAt = scene_.scene.meshes[hit.mesh].material;
     path.lost = true;
     point.material = &valuelessMaterial();
+}
+
+/// At the first surface behind which no light is sought: how much light falls on it that a look through such surfaces
+/// reaches, as if it spread that evenly.
+template <Spectrum S>
+void PathBatch<S>::weighUnseen(Path& path, const SurfacePoint& point) {
+    if (path.lost || path.ended) return;
+    path.byChance = true;
+    const Receiver around{point.position, Vec3(0, 0, 0), false};
+    const float uSelect = path.numbers.next1D();
+    const auto light = chooseLight(scene_, around, uSelect, path.numbers.next2D());
+    if (!light.lit() || !isFinite(light.weight)) return;
+    const Vec3 from = point.departure(light.direction);
+    if (!reaches({from, 0, light.direction, light.distance * (1 - kShadowShortening)})) return;
+    const auto& weights = scene_.scene.weights;
+    const float throughput = luminance(toRgb(path.throughput), weights);
+    const float cosine = std::abs(dot(light.direction, point.geometricNormal));
+    const float uneven = path.reflections == 0 ? kUnevenStraight : kUnevenSpread;
+    auto& chance = samples_[path.query].chance;
+    chance.diffused += uneven * throughput * luminance(light.weight, weights) * cosine / kPi;
+    const float peak = light.pdfSolidAngle > 0 ? throughput * luminance(light.weight, weights) * light.pdfSolidAngle : kInfinity;
+    chance.peak = std::max(chance.peak, peak);
+}
+
+/// Nothing but mirrors, panes and solids that bend light stands in the way.
+template <Spectrum S>
+bool PathBatch<S>::reaches(Ray ray) {
+    for (int passed = 0; passed < kMostPassed; ++passed) {
+        Hit hit;
+        scene_.raycaster.closestHits({&ray, 1}, {&hit, 1}, Targets::Surfaces);
+        ++counters_.rays;
+        if (!hit.surface()) return true;
+        const auto& material = scene_.scene.materials[scene_.scene.meshes[hit.mesh].material];
+        const auto kind = material.kind;
+        const bool passes = kind == MaterialKind::Mirror || kind == MaterialKind::ThinGlass || kind == MaterialKind::Dielectric ||
+                            kind == MaterialKind::Mix || material.hasHoles();
+        if (!passes) return false;
+        ray.tMin = std::max(ray.tMin, hit.distance) * (1 + 1e-5F) + 8 * spacingAt(ray.origin);
+        if (!(ray.tMin < ray.tMax)) return true;
+    }
+    return true;
+}
+
+template <Spectrum S>
+void PathBatch<S>::noteFound(const Path& path, const S& radiance) {
+    if (path.byChance && !path.lost) samples_[path.query].chance.found += luminance(toRgb(radiance), scene_.scene.weights);
 }
 
 template <Spectrum S>
@@ -177,6 +239,7 @@ void PathBatch<S>::add(std::uint32_t query, int reflections, LightSource source,
     template void PathBatch<S>::seeSurface(const Path&, const Hit&, const SurfacePoint&);                       \
     template void PathBatch<S>::fail(std::uint32_t, RayFailure, const Rgb&);                                    \
     template void PathBatch<S>::loseSight(Path&, const Hit&, SurfacePoint&);                                    \
+    template void PathBatch<S>::weighUnseen(Path&, const SurfacePoint&);                                        \
     template void PathBatch<S>::traceMirrored();                                                                \
     template void PathBatch<S>::traceShadows();                                                                 \
     template void PathBatch<S>::askField(const Path&, const Hit&, const SurfacePoint&, const Receiver&, const S&, float); \
