@@ -11,8 +11,8 @@ namespace {
 bool turnsLight(const Material& m) {
     switch (m.kind) {
         case MaterialKind::Mirror:
-        case MaterialKind::ThinGlass:
         case MaterialKind::Dielectric: return true;
+        case MaterialKind::ThinGlass: return m.ior > 1;
         case MaterialKind::Ward: return m.wardPerfect() && !m.specular.isBlack();
         default: return false;
     }
@@ -26,7 +26,10 @@ std::string smallLights(const Scene& scene) {
     if (!scene.sky.suns.empty()) kinds.emplace_back(scene.sky.suns.size() > 1 ? "the suns" : "the sun");
     if (lit > 0) kinds.push_back(lit > 1 ? fmt::format("{} luminaires", lit) : std::string("a luminaire"));
     bool emits = false;
-    for (const auto& mesh : scene.meshes) emits = emits || (scene.materials[mesh.material].emits() && !mesh.triangles.empty());
+    for (const auto& mesh : scene.meshes) {
+        const auto& m = scene.materials[mesh.material];
+        emits = emits || (m.emits() && m.emissionLights && !mesh.triangles.empty());
+    }
     if (emits) kinds.emplace_back("emitting surfaces");
     return fmt::format("{}", fmt::join(kinds, ", "));
 }
