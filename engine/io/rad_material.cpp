@@ -210,7 +210,7 @@ private:
             else radiance[i] = static_cast<float>(number(i) * kLumensPerWatt);
         }
         m.emission = {radiance[0], radiance[1], radiance[2]};
-        if (p_.type == "glow" && number(3) < 0) warn("has a negative radius: in Radiance it shows and lights nothing, here it lights as well");
+        if (p_.type == "glow" && number(3) < 0) m.emissionLights = false;
         if (p_.type == "illum") warn("stands for light from behind it: taken as a light");
         if (p_.type == "spotlight") return spot();
         return {};

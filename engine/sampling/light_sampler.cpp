@@ -67,7 +67,7 @@ void LightSampler::addTriangles(const Scene& scene) {
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
         const auto& mesh = scene.meshes[m];
         const auto& material = scene.materials[mesh.material];
-        if (!material.emits()) continue;
+        if (!material.emits() || !material.emissionLights) continue;
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
             const float area = 0.5F * triangleCross(mesh, t).length();
             triangleIndex_[m].push_back(static_cast<std::uint32_t>(triangles_.size()));

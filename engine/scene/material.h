@@ -49,6 +49,7 @@ struct Material {
     std::uint32_t mixSecond = 0;           ///< Mix: likewise
     Rgb emission{0.0F};       ///< radiance, both sides unless oneSidedEmission [cd/m^2]
     bool oneSidedEmission = true;    ///< emits on the side the geometric normal points to
+    bool emissionLights = true;      ///< its emission lights others; false: it is seen alone (a glow of negative radius)
     TextureSlot reflectanceTexture;  ///< multiplies reflectance
     TextureSlot metallicRoughnessTexture;  ///< G multiplies roughness, B metallic
     TextureSlot emissionTexture;     ///< multiplies emission

@@ -175,6 +175,7 @@ void addSlot(HashInput& in, const TextureSlot& s) {
 void addMaterial(HashInput& in, const Material& m) {
     in.add(m.kind), in.add(m.reflectance), in.add(m.specular), in.add(m.roughness), in.add(m.metallic);
     in.add(m.transmittance), in.add(m.ior), in.add(m.emission), in.add(m.oneSidedEmission);
+    if (!m.emissionLights) in.add(m.emissionLights);  // hashes of scenes without such stay
     in.add(m.wardU), in.add(m.wardV), in.add(m.grain), in.add(m.diffuseTransmittance), in.add(m.specularTransmittance);
     in.add(m.alpha), in.add(m.alphaCutoff), in.add(m.alphaBlend), in.add(m.reflectancePattern), in.add(m.emissionPattern);
     in.add(m.mixPattern), in.add(m.mixFirst), in.add(m.mixSecond);

@@ -86,7 +86,7 @@ void LightEmission::addTriangles() {
     for (std::uint32_t m = 0; m < scene_.meshes.size(); ++m) {
         const auto& mesh = scene_.meshes[m];
         const auto& material = scene_.materials[mesh.material];
-        if (!material.emits()) continue;
+        if (!material.emits() || !material.emissionLights) continue;
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
             const auto& [a, b, c] = mesh.triangles[t];
             const float area = 0.5F * cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]).length();

@@ -66,6 +66,9 @@ void PathBatch<S>::seeSurface(const Path& path, const Hit& hit, const SurfacePoi
     if (!scene_.needs.meshLights) return;
     const Rgb emitted = emittedRadiance(scene_.scene, point);
     if (emitted.isBlack()) return;
+    // Some emission is for the eye alone: a ray that has met nothing but mirrors and panes.
+    const bool byEye = queries_[path.query].pdfSolidAngle == 0 && path.virtualOpen;
+    if (!byEye && !point.material->emissionLights) return;
     const float cosine = -dot(point.geometricNormal, path.ray.direction);
     const float distance = (point.position - path.from.position).length();
     if (path.mirror != kNoMirror && foundByMirror(scene_, path.from, path.mirror, hit, cosine, distance)) return;
