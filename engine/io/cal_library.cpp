@@ -40,6 +40,7 @@ CalLibrary::CalLibrary(const std::vector<fs::path>& folders) {
 }
 
 std::vector<fs::path> CalLibrary::withRayPath(std::vector<fs::path> folders) {
+    folders.emplace_back(".");  // names in a scene are relative to where Radiance's programs run
     const char* rayPath = std::getenv("RAYPATH");
     std::string_view rest = rayPath == nullptr ? "" : rayPath;
     while (!rest.empty()) {

@@ -117,7 +117,34 @@ double tregenzaIntegral(const SkyShape& shape, double sunZenith) {
             sum += (1 + shape.a * std::exp(shape.b / std::cos(zenith))) * (1 + shape.c * std::exp(shape.d * angle) + shape.e * c * c) * std::cos(zenith);
         }
     }
-    return sum * 2 * kPiD / 144;
+    return sum * 2 * kPiD / 145;  // since 18 November 2020; 144 before
+}
+
+/// What a shape whose fit goes below zero gives to the ground, and what its part above zero alone would, with Radiance's
+/// mixing at the horizon; `ground` in units of the shape.
+struct SkySums {
+    double withNegative = 0, positive = 0;
+    bool negative = false;
+};
+
+SkySums sumsOf(const SkyShape& shape, double sunZenith, double ground) {
+    // Midpoints of equal projected solid angle over the half beside the sun's azimuth.
+    constexpr int kRings = 300, kSteps = 300;
+    SkySums sums;
+    for (int i = 0; i < kRings; ++i) {
+        const double up = std::sqrt(1 - (i + 0.5) / kRings), across = std::sqrt(1 - up * up);
+        const double above = std::pow(up + 1.01, 10), share = above / (above + 1 / above);
+        const double gradation = 1 + shape.a * std::exp(shape.b / std::max(up, shape.leastCosine));
+        for (int j = 0; j < kSteps; ++j) {
+            const double c = std::cos(sunZenith) * up + std::sin(sunZenith) * across * std::cos(kPiD * (j + 0.5) / kSteps);
+            const double angle = std::acos(std::clamp(c, -1.0, 1.0));
+            const double value = gradation * (1 + shape.c * std::exp(shape.d * angle) + shape.e * c * c);
+            sums.negative = sums.negative || value < 0;
+            sums.withNegative += share * value + (1 - share) * ground;
+            sums.positive += share * std::max(value, 0.0) + (1 - share) * std::max(ground, 0.0);
+        }
+    }
+    return sums;
 }
 
 /// Luxes asked for have no irradiances yet: efficacies depend on what they give, a few rounds settle it.
@@ -135,17 +162,26 @@ PerezParameters parametersOfLux(const Options& o, PerezWeather& weather) {
     return parameters;
 }
 
+/// gendaylit's sky of a night, of no light and of weather that has no sky: black, and a sky all the same.
+GeneratedDaylight blackSky(GeneratedDaylight out, const std::string& why) {
+    out.warnings.push_back("gendaylit: " + why + ": the sky is black");
+    out.sky = blended(Sky(SkyKind::Uniform, 0), 0, 0);
+    return out;
+}
+
 Result<GeneratedDaylight> perezDaylight(const Options& o) {
     GeneratedDaylight out;
     const auto angles = placeOf(o, true, out.warnings);
+    if (angles.altitudeRad <= 0 && (!o.angles || o.input == PerezInput::Horizontal))
+        return blackSky(std::move(out), "the sun is below the horizon");
+    if (o.input != PerezInput::Parameters && o.direct + o.diffuse == 0)
+        return blackSky(std::move(out), "neither direct nor diffuse light is given");
     const Vec3 sun = sunDirection(angles);
     const double zenith = kPiD / 2 - angles.altitudeRad, sine = std::sin(angles.altitudeRad);
     PerezWeather weather;
     weather.sunZenithRad = zenith;
-    weather.dayOfYear = o.angles ? 150 : dayOfYear(o.month, o.day);  // 150: gendaylit's own
+    weather.dayOfYear = o.angles ? 0 : dayOfYear(o.month, o.day);  // gendaylit's day where it knows none
     PerezParameters parameters{o.direct, o.diffuse};
-    if (o.input == PerezInput::Horizontal && sine <= 0)
-        return Error{ErrorCode::InvalidArgument, "gendaylit -G with the sun below the horizon: expected it above", ""};
     if (o.input == PerezInput::Parameters) {
         weather = perezWeather(parameters, zenith, weather.dayOfYear);
     } else if (o.input == PerezInput::Lux) {
@@ -174,8 +210,16 @@ Result<GeneratedDaylight> perezDaylight(const Options& o) {
     const double norm = overcast ? 0.777778 : normalisation(!clear, altitude) / (clear ? clearFactor(altitude) : intermediateFactor(altitude)) / kPiD;
     const double solar = printed(direct / (2 * kPiD * (1 - std::cos(kSunHalfAngle))), 3);
     const bool shines = o.sun && !overcast && sine > 0 && solar > 0;
-    const double ground = o.groundReflectance * std::max(0.0, scale * atZenith * norm + (shines ? 6.8e-5 / kPiD * solar * sine : 0));
-    out.sky = blended(std::move(sky), scale * std::max(atZenith, kLeastShape), printed(ground, 3));
+    const double ground = o.groundReflectance * (scale * atZenith * norm + (shines ? 6.8e-5 / kPiD * solar * sine : 0));
+    const auto sums = scale != 0 ? sumsOf(shape, zenith, ground / scale) : SkySums{};
+    double kept = 1;
+    if (sums.negative) {
+        // Radiance adds the negative light up; light is not negative: what is above zero gives the same illuminance.
+        if (!(scale * sums.withNegative > 0)) return blackSky(std::move(out), "Perez's formula sums to less than nothing");
+        kept = sums.withNegative / sums.positive;
+        out.warnings.push_back("gendaylit: Perez's formula is negative in parts of this sky: these are black, the others scaled to Radiance's illuminance");
+    }
+    out.sky = blended(std::move(sky), kept * scale * std::max(atZenith, kLeastShape), std::max(0.0, kept * printed(ground, 3)));
     if (shines) out.sky.suns.push_back({sun, kSunHalfAngle, Rgb(static_cast<float>(kEfficacy * solar))});
     return out;
 }

@@ -173,9 +173,9 @@ private:
         };
         switch (option[1]) {
             case 'P': return take(PerezInput::Parameters, 1, 12.0099, 0.01, 0.6);
-            case 'W': return take(PerezInput::Normal, 0, 1367, 1e-3, 1367);
-            case 'G': return take(PerezInput::Horizontal, 0, 1367, 1e-3, 1367);
-            case 'L': return take(PerezInput::Lux, 0, 127500, 1e-3, 127500);
+            case 'W': return take(PerezInput::Normal, 0, 1367, 0, 1367);
+            case 'G': return take(PerezInput::Horizontal, 0, 1367, 0, 1367);
+            case 'L': return take(PerezInput::Lux, 0, 127500, 0, 127500);
             case 'O': {
                 double output = 0;
                 auto ok = assign(option, 0, 2, output);

@@ -210,8 +210,15 @@ private:
             else radiance[i] = static_cast<float>(number(i) * kLumensPerWatt);
         }
         m.emission = {radiance[0], radiance[1], radiance[2]};
-        if (p_.type == "glow" && number(3) < 0) m.emissionLights = false;
-        if (p_.type == "illum") warn("stands for light from behind it: taken as a light");
+        if (p_.type == "glow" && number(3) < 0) m.emissionLights = false;  // seen alone
+        const bool replaced = p_.type == "illum" && !p_.strings.empty();
+        if (replaced && p_.strings[0] == "void") {  // seen through: the emission of a pane of air
+            m.kind = MaterialKind::ThinGlass;
+            m.ior = 1;
+            m.transmittance = Rgb(1.0F);
+        } else if (replaced) {
+            warn(fmt::format("stands for light from behind {}: taken as a light that lets nothing through", p_.strings[0]));
+        }
         if (p_.type == "spotlight") return spot();
         return {};
     }

@@ -86,6 +86,35 @@ TEST(Gensky, RefusalsNameTheOption) {
     }
 }
 
+// Radiance adds Perez's negative luminances up. The signed sum over this sky, its ground and the mixing at the horizon is
+// 2838.7 lx by an integration apart from ours (3000 x 1500 midpoints); what is above zero alone would give 9600.
+TEST(Gendaylit, NegativeLuminancesAreBlackAndTheIlluminanceRadiances) {
+    const auto d = made("gendaylit -ang 45 0 -W 90 18 -s");
+    double lux = 0;
+    constexpr int kRings = 200, kSteps = 400;
+    for (int i = 0; i < kRings; ++i)
+        for (int j = 0; j < kSteps; ++j) {
+            const double r2 = (i + 0.5) / kRings, r = std::sqrt(r2), azimuth = 2 * kPiD * (j + 0.5) / kSteps;
+            const Vec3 up(Vec3d(r * std::cos(azimuth), r * std::sin(azimuth), std::sqrt(1 - r2)));
+            const double value = d.sky.radiance(up).g;
+            ASSERT_GE(value, 0);
+            lux += value * kPiD / (kRings * kSteps);
+        }
+    EXPECT_NEAR(lux, 2838.7, 0.003 * 2838.7);  // four printed digits, and the midpoints at the black parts' edges
+    EXPECT_EQ(d.warnings.size(), 1U);
+}
+
+TEST(Gendaylit, ABlackSkyIsASky) {
+    for (const char* line : {"gendaylit -ang 45 0 -W 0 0", "gendaylit 12 21 2 -a 47 -o -13 -m -15 -W 0 0",
+                             "gendaylit 12 21 2 -a 47 -o -13 -m -15 -W 100 50", "gendaylit -ang -5 0 -G 100 50"}) {
+        const auto d = made(line);
+        EXPECT_EQ(skyfunc(d, {0, 0, 1}), 0) << line;
+        EXPECT_EQ(skyfunc(d, {0, 0, -1}), 0) << line;
+        EXPECT_TRUE(d.sky.suns.empty()) << line;
+        EXPECT_EQ(d.warnings.size(), 1U) << line;
+    }
+}
+
 TEST(Gendaylit, GivesAboutItsIlluminances) {
     const auto d = made("gendaylit -ang 40 20 -L 40000 15000");
     // Normalised by 145 directions of equal weight, which is off the integral by some percent.
