@@ -100,6 +100,7 @@ void addGeometryCases(Cases& cases) {
     cases.push_back({"wall without thickness: the dark side", []() -> Result<Scene> { return dividedRoom(); }, darkSide(), dark, dark});
 
     cases.push_back({"slivers and triangles without area", sliverFurnace, {facing({1, 1.3F, 0}, {0, 0, 1})}, furnaceTotal(0.5), furnaceStraight()});
+    cases.back().precision = 0.05;  // few paths meet a sliver and count for much: the interval follows their skewness (decision 12)
     cases.push_back({"coplanar faces, matte", [] { return twice(integratingSphere(1)); }, {sphereSensor()}, sphereTotal(), sphereStraight()});
     cases.push_back({"coplanar faces, emitting", [] {
                          SceneBuilder b;
