@@ -17,6 +17,7 @@ constexpr double kNoiseInflation = 2.0;         // sqrt(n / m) of the m-out-of-n
 constexpr double kCorrection = 0.8;             // part of the estimated bias that is taken back [-]
 constexpr double kCorrectionUncertainty = 0.5;  // squared correction's share in the squared half-width [-]
 
+constexpr double kChanceSkewness = 2.0;  // standard errors of a skewness that are taken for chance [-]
 constexpr double kNormal95 = 1.959963984540054;
 constexpr double kReachSigmas = 5.0;   // a normal variate beyond is left out: probability 3e-7
 constexpr int kIntegrationSteps = 64;  // over <= 10 sigmas: a step of 0.16, error of the integral below 1e-6
@@ -194,6 +195,7 @@ MinimumEstimate gridMinimum(std::span<const PointEstimate> points, double dof) {
 /// covariance is that point's variance / N; with N = 1 the ratio is 1 without any error.
 Interval gridUniformity(const MinimumEstimate& minimum, const Interval& mean, std::size_t pointCount) {
     if (mean.value == 0.0) return {0.0, kInfinity};
+    if (pointCount == 1) return {minimum.interval.value / mean.value, 0.0};
     const double ratio = minimum.interval.value / mean.value;
     const auto side = [&](double ofMinimum, double ofMean, double noise) {
         const double shared = square(noise) / static_cast<double>(pointCount);
@@ -237,7 +239,9 @@ double studentT95(double degreesOfFreedom) {
 Interval skewedInterval(double value, double sigma, double skewness, double degreesOfFreedom) {
     if (sigma == 0.0) return {value, 0.0};
     const double t = studentT95(degreesOfFreedom);
-    if (std::abs(skewness) < 1e-9) return {value, t * sigma};
+    // What normal replicates show by chance is no skewness: its standard error is sqrt(6 / R) of one, over sqrt(R) of the mean.
+    const double byChance = kChanceSkewness * std::sqrt(6.0) / (degreesOfFreedom + 1.0);
+    if (std::abs(skewness) < byChance) return {value, t * sigma};
     // The studentised mean T has the mean's skewness with the other sign, twice; T + s T^2 / 3 + s^2 T^3 / 27 + s / 6 is
     // normal up to order 1 / n. Its inverse at -t and t bounds T.
     const auto inverse = [&](double y) { return (std::cbrt(1.0 + skewness * (y - skewness / 6.0)) - 1.0) * 3.0 / skewness; };
