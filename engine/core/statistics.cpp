@@ -186,7 +186,9 @@ MinimumEstimate gridMinimum(std::span<const PointEstimate> points, double dof) {
         if (bootstrap.probability[i] > bootstrap.probability[best]) best = i;
     }
     const double sigma = std::sqrt(variance.sum()), value = smallest + correction;
-    const auto noise = skewedInterval(value, sigma, skewnessOf(cubed, sigma), variance.degreesOfFreedom(dof));
+    // Of one point's replicates, whichever point it is: pooling does not make a skewness better known.
+    const double skewness = skewnessOf(cubed, sigma), byChance = kChanceSkewness * std::sqrt(6.0) / (dof + 1.0);
+    const auto noise = skewedInterval(value, sigma, std::abs(skewness) < byChance ? 0.0 : skewness, variance.degreesOfFreedom(dof));
     const auto with = [&](double side) { return std::sqrt(square(side) + kCorrectionUncertainty * square(correction)); };
     return {Interval::sides(value, with(noise.below()), with(noise.above())), noise, bootstrap.candidates[best].index};
 }
