@@ -17,7 +17,8 @@ constexpr double kNoiseInflation = 2.0;         // sqrt(n / m) of the m-out-of-n
 constexpr double kCorrection = 0.8;             // part of the estimated bias that is taken back [-]
 constexpr double kCorrectionUncertainty = 0.5;  // squared correction's share in the squared half-width [-]
 
-constexpr double kChanceSkewness = 2.0;  // standard errors of a skewness that are taken for chance [-]
+constexpr double kChanceSkewness = 3.0;    // standard errors of a skewness that are taken for chance [-]
+constexpr double kDoubtfulSkewness = 5.0;  // the same of the darkest of many points [-]
 constexpr double kNormal95 = 1.959963984540054;
 constexpr double kReachSigmas = 5.0;   // a normal variate beyond is left out: probability 3e-7
 constexpr int kIntegrationSteps = 64;  // over <= 10 sigmas: a step of 0.16, error of the integral below 1e-6
@@ -186,8 +187,10 @@ MinimumEstimate gridMinimum(std::span<const PointEstimate> points, double dof) {
         if (bootstrap.probability[i] > bootstrap.probability[best]) best = i;
     }
     const double sigma = std::sqrt(variance.sum()), value = smallest + correction;
-    // Of one point's replicates, whichever point it is: pooling does not make a skewness better known.
-    const double skewness = skewnessOf(cubed, sigma), byChance = kChanceSkewness * std::sqrt(6.0) / (dof + 1.0);
+    // Of one point's replicates, whichever point it is: pooling does not make a skewness better known. Of many points the
+    // darkest is chosen by its noise, and the correction's constants hold for Student's interval: only a skewness beyond
+    // any doubt counts.
+    const double skewness = skewnessOf(cubed, sigma), byChance = kDoubtfulSkewness * std::sqrt(6.0) / (dof + 1.0);
     const auto noise = skewedInterval(value, sigma, std::abs(skewness) < byChance ? 0.0 : skewness, variance.degreesOfFreedom(dof));
     const auto with = [&](double side) { return std::sqrt(square(side) + kCorrectionUncertainty * square(correction)); };
     return {Interval::sides(value, with(noise.below()), with(noise.above())), noise, bootstrap.candidates[best].index};
